@@ -37,27 +37,15 @@ Lemma nothing_passes_behind (w u v : vector) (s : summand) :
   in_front w u -> in_front w v -> sweep (Direction (opposite w) s) u v = 0%Z.
 Proof.
   intros f g. pose proof (in_front_nonzero w u f) as nu. pose proof (in_front_nonzero w v g) as nv.
-  assert (nw : nonzero (opposite w)).
-  { unfold in_front, nonzero, dot, opposite in *. cbn [vx vy]. intros [x_is y_is]. nra. }
-  assert (crossed : forall a b, in_front w a -> in_front w b -> 0 < cross a b ->
-    negb (left_of_ray s (opposite w) a) && left_of_ray s (opposite w) b = false).
-  { clear u v f g nu nv. intros a b f g positive. unfold in_front in *.
-    assert (turn : dot w w * cross a b == dot w a * cross w b - cross w a * dot w b)
-      by (unfold cross, dot; ring).
-    assert (a_is : cross a (opposite w) == cross w a /\ cross (opposite w) a == - cross w a)
-      by (unfold cross, opposite; cbn [vx vy]; split; ring).
-    assert (b_is : cross b (opposite w) == cross w b /\ cross (opposite w) b == - cross w b)
-      by (unfold cross, opposite; cbn [vx vy]; split; ring).
-    assert (0 < dot w w).
-    { apply square_positive. intros [x_is y_is]. apply nw. unfold opposite. cbn [vx vy]. lra. }
-    unfold left_of_ray. destruct s;
-      [destruct (negative_spec (cross (opposite w) a)), (negative_spec (cross (opposite w) b))
-      | destruct (negative_spec (cross a (opposite w))), (negative_spec (cross b (opposite w)))];
-      try reflexivity; exfalso; nra. }
-  unfold sweep. cbn [of]. compared_numbers (cross u v ?= 0); [reflexivity | |].
-  - assert (0 < cross v u) by (unfold cross in *; lra).
-    rewrite crossed_to_the_left, crossed by assumption. reflexivity.
-  - rewrite crossed_to_the_left, crossed by assumption. reflexivity.
+  assert (nw : nonzero w) by (intros [x_is y_is]; unfold in_front, dot in f; rewrite x_is, y_is in f; lra).
+  pose proof (square_positive w nw). rewrite sweep_by_sides by (trivial; now apply opposite_nonzero).
+  assert (turn : dot w w * cross u v == dot w u * cross w v - cross w u * dot w v) by (unfold cross, dot; ring).
+  assert (sides : forall a, cross a (opposite w) == cross w a /\ cross (opposite w) a == - cross w a)
+    by (intros a; unfold cross, opposite; cbn [vx vy]; split; ring).
+  destruct (sides u), (sides v). unfold ray_crossing, left_of_ray, in_front in *. destruct s;
+    [destruct (negative_spec (cross (opposite w) u)), (negative_spec (cross (opposite w) v))
+    | destruct (negative_spec (cross u (opposite w))), (negative_spec (cross v (opposite w)))];
+    cbn [negb Bool.eqb]; trivial; compared_numbers (cross u v ?= 0); trivial; exfalso; nra.
 Qed.
 
 (* The sum around vectors all of which are on one side of a line through zero. *)
@@ -68,7 +56,6 @@ Lemma nothing_turns_around_zero (w d : vector) (s : summand) (us : list vector) 
   total (fun p => sweep (Direction d s) (fst p) (snd p)) (around us) = 0%Z.
 Proof.
   intros nd front.
-  assert (ends : map source (edges us) = us /\ map target (edges us) = rotated us) by apply edges_ends.
   assert (pairs : around us = map (fun e => (source e, target e)) (edges us)).
   { unfold edges, around. rewrite map_map. cbn [source target].
     rewrite <- (map_id (combine us (rotated us))) at 1. apply map_ext. now intros [a b]. }
@@ -79,10 +66,7 @@ Proof.
     destruct R as [R | [<- | []]]; [now right | now left]. }
   destruct us as [| first rest]; [reflexivity |].
   rewrite (sweeps_are_equal _ (Direction d s) (Direction (opposite w) s)).
-  - unfold total. transitivity (sum (map (fun _ : vector * vector => 0%Z) (around (first :: rest)))).
-    + f_equal. apply map_ext_in. intros [u v] I. destruct (both u v I).
-      now apply nothing_passes_behind.
-    + clear. unfold sum. now induction (around (first :: rest)).
+  - apply sum_of_zeros. intros [u v] I. destruct (both u v I). now apply nothing_passes_behind.
   - unfold closed. rewrite pairs, !map_map. cbn [fst snd]. apply (closed_chain_cycles (first :: rest)).
   - intros u v I. destruct (both u v I). now apply in_front_turns with w.
   - exact nd.
@@ -145,31 +129,23 @@ Proof.
   specialize (around_is front). lia.
 Qed.
 
+(* What is passed from each of the vectors to the next. *)
+Fixpoint in_succession (f : vector -> vector -> Z) (us : list vector) : Z :=
+  match us with u :: ((v :: _) as rest) => f u v + in_succession f rest | _ => 0 end.
+
+Fixpoint steps (path : list vector) : list vector :=
+  match path with a :: ((b :: _) as rest) => minus b a :: steps rest | _ => [] end.
+
 Section Path.
 Variable d : vector.
 Variable s : summand.
-Let turn (u v : vector) : Z := sweep (Direction d s) u v.
+Let turn : vector -> vector -> Z := sweep (Direction d s).
 
-(* What the secants from p pass, as their other end goes along a path. *)
-Fixpoint seen_along (p : vector) (path : list vector) : Z :=
-  match path with
-  | a :: ((b :: _) as rest) => turn (minus a p) (minus b p) + seen_along p rest
-  | _ => 0
-  end.
-
-(* What the secants to z pass, as their other end goes along a path. *)
-Fixpoint seen_towards (z : vector) (path : list vector) : Z :=
-  match path with
-  | a :: ((b :: _) as rest) => turn (minus z a) (minus z b) + seen_towards z rest
-  | _ => 0
-  end.
-
-(* What the edges of a path pass, from the first to the last. *)
-Fixpoint turns_along (path : list vector) : Z :=
-  match path with
-  | p :: ((q :: r :: _) as rest) => turn (minus q p) (minus r q) + turns_along rest
-  | _ => 0
-  end.
+(* What the secants from p pass, as their other end goes along a path; what those to z pass; and what the edges of a
+   path pass, from the first to the last. *)
+Definition seen_along (p : vector) (path : list vector) : Z := in_succession turn (map (fun a => minus a p) path).
+Definition seen_towards (z : vector) (path : list vector) : Z := in_succession turn (map (fun a => minus z a) path).
+Definition turns_along (path : list vector) : Z := in_succession turn (steps path).
 
 Fixpoint apart_from (p q : vector) (path : list vector) : Prop :=
   match path with
@@ -198,11 +174,7 @@ Proof.
   rewrite <- app_comm_cons, e in *. cbn [hd] in *. destruct far as [here far].
   specialize (IH far). cbv zeta in IH. rewrite second in IH.
   pose proof (cell_of_two_edges d p q a b s nd here) as cell. fold turn in cell.
-  change (seen_along p (a :: b :: rest)) with
-    (turn (minus a p) (minus b p) + seen_along p (b :: rest))%Z.
-  change (seen_along q (a :: b :: rest)) with
-    (turn (minus a q) (minus b q) + seen_along q (b :: rest))%Z.
-  unfold turn in *. lia.
+  unfold seen_along, turn in *. cbn [map in_succession] in *. lia.
 Qed.
 
 (* Theorem. A path without crossings turns as its secants do, first those from its first vertex, then those
@@ -221,13 +193,7 @@ Proof.
   assert (corner : (turn (minus q p) (minus r p) + turn (minus r p) (minus r q))%Z =
                    turn (minus q p) (minus r q))
     by (apply by_way_of_the_sum; trivial; unfold minus; cbn [vx vy]; ring).
-  change (turns_along (p :: q :: r :: rest)) with
-    (turn (minus q p) (minus r q) + turns_along (q :: r :: rest))%Z.
-  change (seen_along p (q :: r :: rest)) with
-    (turn (minus q p) (minus r p) + seen_along p (r :: rest))%Z.
-  change (seen_towards z (p :: q :: path)) with
-    (turn (minus z p) (minus z q) + seen_towards z (q :: path))%Z.
-  lia.
+  unfold turns_along, seen_along, seen_towards in *. cbn [steps map in_succession] in *. lia.
 Qed.
 
 End Path.

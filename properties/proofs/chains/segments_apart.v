@@ -3,7 +3,7 @@
    of a line, and one of three lines will do. Whether two consecutive edges have only their common vertex
    in common is a question of signs, too. Used for simple chains (simple_chain.v). *)
 From Coq Require Import Bool List.
-From Oplus Require Import numbers winding rotation secants.
+From Oplus Require Import numbers winding rotation secants meeting_of_segments.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -53,26 +53,12 @@ Qed.
 Lemma apart_have_no_common_point (a b c e x : vector) :
   apart a b c e -> lies_on x (Segment a b) -> ~ lies_on x (Segment c e).
 Proof.
-  intros (w & ca & cb & ea & eb) (s & range_s & xs & ys) (t & range_t & xt & yt).
-  cbn [source target] in *. unfold in_front in *.
-  assert (nothing : (1 - s) * (1 - t) * dot w (minus c a) + s * (1 - t) * dot w (minus c b) +
-                    (1 - s) * t * dot w (minus e a) + s * t * dot w (minus e b) == 0).
-  { in_coordinates. by_equations. }
-  assert (0 <= (1 - s) * (1 - t) /\ 0 <= s * (1 - t) /\ 0 <= (1 - s) * t /\ 0 <= s * t) as parts
-    by (repeat split; apply Qmult_le_0_compat; lra).
-  set (p := (1 - s) * (1 - t)) in *. set (q := s * (1 - t)) in *. set (r := (1 - s) * t) in *.
-  set (o := s * t) in *.
-  assert (whole : p + q + r + o == 1) by (unfold p, q, r, o; ring).
-  clearbody p q r o.
-  assert (none : forall part side, 0 <= part -> 0 < side -> 0 <= part * side)
-    by (intros; apply Qmult_le_0_compat; lra).
-  assert (no_part : forall part side, 0 < side -> part * side == 0 -> part == 0)
-    by (intros part side positive product; destruct (Qmult_integral part side product); lra).
-  destruct parts as (p_is & q_is & r_is & o_is).
-  pose proof (none p _ p_is ca). pose proof (none q _ q_is cb).
-  pose proof (none r _ r_is ea). pose proof (none o _ o_is eb).
-  pose proof (no_part p _ ca). pose proof (no_part q _ cb).
-  pose proof (no_part r _ ea). pose proof (no_part o _ eb). lra.
+  intros (w & ca & cb & ea & eb) (s & range_s & xs & ys) (t & range_t & xt & yt). unfold in_front in *.
+  pose proof (mixed_is_more t _ _ 0 range_t (mixed_is_more s _ _ 0 range_s ca cb) (mixed_is_more s _ _ 0 range_s ea eb))
+    as some.
+  assert (none : (1 - t) * ((1 - s) * dot w (minus c a) + s * dot w (minus c b)) +
+                 t * ((1 - s) * dot w (minus e a) + s * dot w (minus e b)) == 0) by (in_coordinates; by_equations).
+  lra.
 Qed.
 
 Lemma on_segment (a b x : vector) (t : Q) :
@@ -80,25 +66,16 @@ Lemma on_segment (a b x : vector) (t : Q) :
   lies_on x (Segment a b).
 Proof. intros r [x_is y_is]. cbn [vx vy] in *. exists t. cbn [source target]. repeat split; lra. Qed.
 
-(* On one line, the segment from c to e goes past a if c is before a and e is not. *)
-Lemma one_on_the_other (u a c e : vector) :
-  cross u (minus c a) == 0 -> cross u (minus e a) == 0 -> nonzero u ->
-  dot u (minus c a) <= 0 -> 0 <= dot u (minus e a) -> dot u (minus c a) < dot u (minus e a) ->
-  lies_on a (Segment c e).
+(* Two points of a line on two sides of a third have it on their segment. *)
+Lemma between_on_one_line (u a c e : vector) :
+  nonzero u -> cross u (minus c a) == 0 -> cross u (minus e a) == 0 ->
+  dot u (minus c a) * dot u (minus e a) <= 0 -> lies_on a (Segment c e).
 Proof.
-  intros on_c on_e nu before_a after_a apart_ends.
-  pose proof (square_positive u nu) as square.
-  set (p := dot u (minus c a)) in *. set (q := dot u (minus e a)) in *.
-  assert (along : forall z, cross u (minus z a) == 0 ->
-    dot u u * (vx z - vx a) == dot u (minus z a) * vx u /\
-    dot u u * (vy z - vy a) == dot u (minus z a) * vy u)
-    by (intros z on; in_coordinates; split; by_equations).
-  destruct (along c on_c) as [xc yc], (along e on_e) as [xe ye]. fold p in xc, yc. fold q in xe, ye.
-  assert (value : - p / (q - p) * (q - p) == - p) by (field; lra).
-  assert (range : 0 <= - p / (q - p) <= 1) by (split; [apply Qle_shift_div_l | apply Qle_shift_div_r]; lra).
-  set (l := - p / (q - p)) in *. clearbody l p q. apply (on_segment c e a l); [exact range |].
-  assert (some : ~ dot u u * (q - p) == 0) by nra. clear - xc yc xe ye value some.
-  split; cbn [vx vy]; apply (Qmult_inj_l _ _ _ some); by_equations.
+  intros nu on_c on_e sides. pose proof (square_positive u nu) as square. apply lies_on_by_signs. cbn [source target].
+  set (p := minus c a) in *. set (q := minus e a) in *.
+  assert (turn : dot u u * cross p q == dot u p * cross u q - cross u p * dot u q) by (unfold cross, dot; ring).
+  assert (scalar : dot u u * dot p q == dot u p * dot u q + cross u p * cross u q) by (unfold cross, dot; ring).
+  rewrite on_c, on_e in turn, scalar. split; [apply (Qmult_inj_l _ _ (dot u u)); lra | nra].
 Qed.
 
 (* On the line of the segment from a to b, a point that is neither before a nor after b is on it. *)
@@ -106,11 +83,11 @@ Lemma between_the_ends (a b z : vector) :
   nonzero (minus b a) -> cross (minus b a) (minus z a) == 0 ->
   0 <= dot (minus b a) (minus z a) -> dot (minus b a) (minus z b) <= 0 -> lies_on z (Segment a b).
 Proof.
-  intros n on after_a before_b.
-  apply (one_on_the_other (minus b a) z a b); trivial;
-    unfold cross, dot, minus, nonzero in *; cbn [vx vy] in *; try nra.
-  pose proof (square_positive (minus b a) n) as square. unfold dot, minus in square. cbn [vx vy] in square.
-  nra.
+  intros n on after_a before_b. set (u := minus b a) in *.
+  assert (back : forall y, cross u (minus y z) == - cross u (minus z y) /\ dot u (minus y z) == - dot u (minus z y))
+    by (intros y; unfold cross, dot, minus; cbn [vx vy]; split; ring).
+  assert (on_b : cross u (minus z b) == cross u (minus z a)) by (unfold u, cross, minus; cbn [vx vy]; ring).
+  destruct (back a), (back b). apply (between_on_one_line u); trivial; nra.
 Qed.
 
 Definition have_a_common_point (a b c e : vector) : Prop :=
@@ -123,41 +100,22 @@ Lemma meeting_lines (a b c e : vector) :
   have_a_common_point a b c e \/
   is_separated_by (normal u) a b c e = true \/ is_separated_by (normal v) a b c e = true.
 Proof.
-  intros u v crossing_lines.
-  assert (nonzero_square : 0 < cross u v * cross u v) by (destruct (Q_dec (cross u v) 0) as [[? | ?] | ?]; nra).
-  set (s := cross (minus c a) v / cross u v). set (t := cross (minus c a) u / cross u v).
-  assert (s_is : s * cross u v == cross (minus c a) v) by (unfold s; field; assumption).
-  assert (t_is : t * cross u v == cross (minus c a) u) by (unfold t; field; assumption).
-  set (x := Vector (vx a + s * vx u) (vy a + s * vy u)).
-  assert (x_on_both : equal_vectors x (Vector (vx c + t * vx v) (vy c + t * vy v))).
-  { unfold x. clearbody s t.
-    split; cbn [vx vy]; apply (Qmult_inj_l _ _ _ crossing_lines); unfold u, v in *; in_coordinates; by_equations. }
-  assert (within_or_outside : have_a_common_point a b c e \/ ~ (0 <= s <= 1) \/ ~ (0 <= t <= 1)).
-  { destruct (Qlt_le_dec s 0), (Qlt_le_dec 1 s), (Qlt_le_dec t 0), (Qlt_le_dec 1 t);
-      try (right; left; lra); try (right; right; lra). left. exists x. split.
-    - apply (on_segment a b x s); [lra |]. split; reflexivity.
-    - apply (on_segment c e x t); [lra | exact x_on_both]. }
-  clearbody s t. clear x x_on_both.
-  destruct within_or_outside as [common | outside]; [now left | right].
-  unfold normal. destruct outside as [outside | outside]; [right | left]; apply separated_spec.
-  - assert (sides : dot (Vector (- vy v) (vx v)) (minus c a) == - s * cross u v /\
-                    dot (Vector (- vy v) (vx v)) (minus c b) == (1 - s) * cross u v /\
-                    dot (Vector (- vy v) (vx v)) (minus e a) == - s * cross u v /\
-                    dot (Vector (- vy v) (vx v)) (minus e b) == (1 - s) * cross u v).
-    { unfold u, v in *. in_coordinates. repeat split; lra. }
-    destruct sides as (-> & -> & -> & ->).
-    destruct (Q_dec (cross u v) 0) as [[? | ?] | ?]; [| | contradiction];
-      (destruct (Qlt_le_dec s 0); [| assert (1 < s) by (apply Qnot_le_lt; intro; apply outside; lra)]);
-      first [left; nra | right; nra].
-  - assert (sides : dot (Vector (- vy u) (vx u)) (minus c a) == - t * cross u v /\
-                    dot (Vector (- vy u) (vx u)) (minus c b) == - t * cross u v /\
-                    dot (Vector (- vy u) (vx u)) (minus e a) == (1 - t) * cross u v /\
-                    dot (Vector (- vy u) (vx u)) (minus e b) == (1 - t) * cross u v).
-    { unfold u, v in *. in_coordinates. repeat split; lra. }
-    destruct sides as (-> & -> & -> & ->).
-    destruct (Q_dec (cross u v) 0) as [[? | ?] | ?]; [| | contradiction];
-      (destruct (Qlt_le_dec t 0); [| assert (1 < t) by (apply Qnot_le_lt; intro; apply outside; lra)]);
-      first [left; nra | right; nra].
+  intros u v crossing_lines. rewrite !separated_spec.
+  set (F := area (Segment c e) a). set (T := area (Segment c e) b).
+  set (U := area (Segment a b) c). set (V := area (Segment a b) e).
+  assert (by_u : dot (normal u) (minus c a) == U /\ dot (normal u) (minus c b) == U /\
+                 dot (normal u) (minus e a) == V /\ dot (normal u) (minus e b) == V)
+    by (unfold U, V, u, normal; in_coordinates; repeat split; ring).
+  assert (by_v : dot (normal v) (minus c a) == - F /\ dot (normal v) (minus c b) == - T /\
+                 dot (normal v) (minus e a) == - F /\ dot (normal v) (minus e b) == - T)
+    by (unfold F, T, v, normal; in_coordinates; repeat split; ring).
+  assert (turn : F - T == cross u v /\ U - V == - cross u v)
+    by (unfold F, T, U, V, u, v; in_coordinates; split; ring).
+  assert (same_or_not : forall x y : Q, (0 <= x /\ y <= 0 \/ x <= 0 /\ 0 <= y) \/ x < 0 /\ y < 0 \/ 0 < x /\ 0 < y)
+    by (intros x y; lra).
+  destruct (same_or_not F T) as [step_signs | same]; [| right; right; lra].
+  destruct (same_or_not U V) as [signs | same]; [| right; left; lra].
+  left. apply common_point; trivial; fold F T U V; lra.
 Qed.
 
 (* Parallel lines that are not one separate the segments. *)
@@ -180,33 +138,27 @@ Lemma parallel_segments (a b c e : vector) :
   nonzero u -> cross u v == 0 -> have_a_common_point a b c e \/ are_apart a b c e = true.
 Proof.
   intros u v nu parallel. pose proof (square_positive u nu) as square.
-  unfold are_apart. rewrite existsb_exists.
-  destruct (zero_spec (cross u (minus c a))) as [on_c | beside].
-  2: { right. exists (normal u). split; [left; reflexivity | now apply parallel_lines]. }
-  assert (on_e : cross u (minus e a) == 0)
-    by (unfold cross, u, v, minus in *; cbn [vx vy] in *; lra).
-  assert (whole : forall z, dot u (minus z b) == dot u (minus z a) - dot u u)
-    by (intros z; unfold dot, u, minus; cbn [vx vy]; ring).
-  pose proof (whole c) as at_c. pose proof (whole e) as at_e. fold u in nu.
-  assert (by_u : is_separated_by u a b c e = true ->
-    have_a_common_point a b c e \/
-    exists w, In w (candidates a b c e) /\ is_separated_by w a b c e = true).
-  { intros separated. right. exists u. split; [right; right; left; reflexivity | exact separated]. }
+  assert (by_one : forall w, In w (candidates a b c e) -> is_separated_by w a b c e = true -> are_apart a b c e = true)
+    by (intros w I found; apply existsb_exists; now exists w).
+  destruct (zero_spec (cross u (minus c a))) as [on_c | beside];
+    [| right; apply (by_one (normal u)); [now left | now apply parallel_lines]].
+  assert (by_u : is_separated_by u a b c e = true -> are_apart a b c e = true)
+    by (apply by_one; right; right; now left).
   rewrite separated_spec in by_u.
-  destruct (Qlt_le_dec (dot u (minus c a)) 0) as [c_before | c_after].
-  - destruct (Qlt_le_dec (dot u (minus e a)) 0) as [e_before | e_after]; [apply by_u; right; lra |].
-    left. exists a. split.
-    + apply (on_segment a b a 0); [lra | split; cbn [vx vy]; ring].
-    + apply (one_on_the_other u a c e); trivial; lra.
-  - destruct (Qlt_le_dec 0 (dot u (minus c b))) as [c_beyond | c_within].
-    + destruct (Qlt_le_dec 0 (dot u (minus e b))) as [e_beyond | e_within]; [apply by_u; left; lra |].
-      left. exists b. split.
-      { apply (on_segment a b b 1); [lra | split; cbn [vx vy]; ring]. }
-      destruct (one_on_the_other u b e c) as (t & range & x_is & y_is); trivial; try lra;
-        try (unfold cross, u, minus in *; cbn [vx vy] in *; lra).
-      exists (1 - t). cbn [source target] in *. repeat split; lra.
-    + left. exists c. split; [now apply between_the_ends |].
-      apply (on_segment c e c 0); [lra | split; cbn [vx vy]; ring].
+  assert (on_e : cross u (minus e a) == 0) by (unfold cross, u, v, minus in *; cbn [vx vy] in *; lra).
+  assert (at_b : forall z, cross u (minus z b) == cross u (minus z a) /\
+                           dot u (minus z b) == dot u (minus z a) - dot u u)
+    by (intros z; unfold cross, dot, u, minus; cbn [vx vy]; split; ring).
+  destruct (at_b c) as [c_line c_b], (at_b e) as [e_line e_b].
+  destruct (Qlt_le_dec 0 (dot u (minus c a) * dot u (minus e a))) as [a_beside |];
+    [| left; exists a; split; [exact (source_lies_on (Segment a b)) | now apply (between_on_one_line u)]].
+  destruct (Qlt_le_dec 0 (dot u (minus c b) * dot u (minus e b))) as [b_beside |];
+    [| left; exists b; split; [exact (target_lies_on (Segment a b)) | apply (between_on_one_line u); trivial; lra]].
+  destruct (Qlt_le_dec (dot u (minus c a)) 0) as [c_before | c_after];
+    [right; apply by_u; right; repeat split; nra |].
+  destruct (Qlt_le_dec 0 (dot u (minus c b))) as [c_beyond | c_within];
+    [right; apply by_u; left; repeat split; nra | left].
+  exists c. split; [now apply between_the_ends | exact (source_lies_on (Segment c e))].
 Qed.
 
 (* Theorem. Two segments, the first of which is not a point, are found to be apart, or have a point in common;
@@ -257,17 +209,14 @@ Proof.
     rewrite r_is in xr, yr. split; lra.
   - intros only_b. split; [exact na |]. split; [exact nc |]. intros straight.
     destruct (Qlt_le_dec 0 (dot (minus b a) (minus c b))) as [| back]; [assumption | exfalso].
-    set (u := minus b a) in *.
+    pose proof (square_positive _ na) as square. set (u := minus b a) in *.
+    assert (on_c : cross u (minus c a) == 0) by (unfold u, cross, minus in *; cbn [vx vy] in *; lra).
     destruct (Qlt_le_dec (dot u (minus c a)) 0) as [beyond_a | within].
     + assert (equal_vectors a b) as [x_is y_is].
-      { apply only_b; [apply (on_segment a b a 0); [lra | split; cbn [vx vy]; ring] |].
-        pose proof (square_positive u na). fold u in straight.
-        destruct (one_on_the_other u a c b) as (t & range & x_is & y_is); trivial; fold u; try lra;
-          try (unfold u, cross, minus in *; cbn [vx vy] in *; lra).
-        exists (1 - t). cbn [source target] in *. repeat split; lra. }
+      { apply only_b; [exact (source_lies_on (Segment a b)) |].
+        apply (between_on_one_line u); trivial; [unfold u, cross; ring | fold u; nra]. }
       apply na. unfold u, minus. cbn [vx vy]. lra.
-    + assert (equal_vectors c b) as [x_is y_is].
-      { apply only_b; [| apply (on_segment b c c 1); [lra | split; cbn [vx vy]; ring]].
-        apply between_the_ends; trivial. unfold u, cross, minus in *; cbn [vx vy] in *; lra. }
+    + assert (equal_vectors c b) as [x_is y_is]
+        by (apply only_b; [now apply between_the_ends | exact (target_lies_on (Segment b c))]).
       apply nc. unfold minus. cbn [vx vy]. lra.
 Qed.

@@ -84,41 +84,50 @@ Proof.
   destruct (common i j x I J differ on_i on_j) as [[? _] | [? _]]; contradiction.
 Qed.
 
+(* Where a chain turns at each vertex and other edges are apart, it is simple. *)
+Lemma simple_by_turns chain : let n := length chain in
+  3 <= n ->
+  (forall i, i < n -> turns (minus (vertex chain (next i n)) (vertex chain i))
+                            (minus (vertex chain (next (next i n) n)) (vertex chain (next i n)))) ->
+  (forall i j, i < j -> j < n -> j <> next i n -> i <> next j n ->
+     apart (vertex chain i) (vertex chain (next i n)) (vertex chain j) (vertex chain (next j n))) ->
+  simple chain.
+Proof.
+  intros n N turn far.
+  assert (edges_nonzero : no_edge_is_a_point chain).
+  { intros e I. apply (In_nth _ _ nowhere) in I. destruct I as (i & I & <-).
+    rewrite edges_length in I. fold (edge_of_chain chain i). rewrite edge_of_chain_joins_vertices by exact I.
+    now destruct (turn i I). }
+  split; [exact N | split; [exact edges_nonzero |]]. fold n.
+  assert (one_way : forall i x, i < n -> lies_on x (edge_at chain i) -> lies_on x (edge_at chain (next i n)) ->
+    equal_vectors x (vertex chain (next i n))).
+  { intros i x I on_i on_j. destruct (next_differs i n N I) as (J & _).
+    rewrite edge_is in on_i by exact I. rewrite (edge_is chain (next i n) J) in on_j.
+    refine (proj1 (may_turn_decides _ _ _ _ _) (turn i I) x on_i on_j);
+      now apply edges_of_simple_chains. }
+  intros i j x I J differ on_i on_j.
+  destruct (Nat.eq_dec j (next i n)) as [-> | not_next]; [left; split; [reflexivity | now apply one_way] |].
+  destruct (Nat.eq_dec i (next j n)) as [-> | not_before]; [right; split; [reflexivity | now apply one_way] |].
+  exfalso. rewrite edge_is in on_i, on_j by assumption.
+  destruct (Nat.lt_trichotomy i j) as [less | [same | more]]; [| contradiction |].
+  - exact (apart_have_no_common_point _ _ _ _ x (far i j less J not_next not_before) on_i on_j).
+  - exact (apart_have_no_common_point _ _ _ _ x (far j i more I not_before not_next) on_j on_i).
+Qed.
+
 (* Theorem. A chain is simple iff the test says so. *)
 Theorem is_simple_decides (chain : list vector) : is_simple chain = true <-> simple chain.
 Proof.
   unfold is_simple. set (n := length chain).
   rewrite !andb_true_iff, Nat.leb_le, !forallb_forall. split.
-  - intros [[N corners_turn] edges_apart].
-    assert (turn : forall i, i < n ->
-      turns (minus (vertex chain (next i n)) (vertex chain i))
-            (minus (vertex chain (next (next i n) n)) (vertex chain (next i n)))).
-    { intros i I. assert (listed : In i (seq 0 n)) by (apply in_seq; lia).
-      specialize (corners_turn i listed). cbv beta in corners_turn.
+  - intros [[N corners_turn] edges_apart]. apply simple_by_turns; [exact N | |]; fold n.
+    + intros i I. specialize (corners_turn i). rewrite in_seq in corners_turn. cbv beta in corners_turn.
       destruct (may_turn_spec (minus (vertex chain (next i n)) (vertex chain i))
-                  (minus (vertex chain (next (next i n) n)) (vertex chain (next i n)))); easy. }
-    assert (edges_nonzero : no_edge_is_a_point chain).
-    { intros e I. apply (In_nth _ _ nowhere) in I. destruct I as (i & I & <-).
-      rewrite edges_length in I. fold (edge_of_chain chain i). rewrite edge_of_chain_joins_vertices by exact I.
-      now destruct (turn i I). }
-    split; [exact N | split; [exact edges_nonzero |]]. fold n.
-    assert (one_way : forall i x, i < n -> lies_on x (edge_at chain i) -> lies_on x (edge_at chain (next i n)) ->
-      equal_vectors x (vertex chain (next i n))).
-    { intros i x I on_i on_j. destruct (next_differs i n N I) as (J & _).
-      rewrite edge_is in on_i by exact I. rewrite (edge_is chain (next i n) J) in on_j.
-      refine (proj1 (may_turn_decides _ _ _ _ _) (turn i I) x on_i on_j);
-        now apply edges_of_simple_chains. }
-    intros i j x I J differ on_i on_j.
-    assert (listed : In (i, j) (list_prod (seq 0 n) (seq 0 n)))
-      by (apply in_prod_iff; rewrite !in_seq; lia).
-    specialize (edges_apart (i, j) listed). cbn [fst snd] in edges_apart.
-    destruct (Nat.eqb_spec i j) as [| _]; [contradiction |].
-    destruct (Nat.eqb_spec j (next i n)) as [j_is | not_next].
-    { left. split; [exact j_is |]. rewrite j_is in *. now apply one_way. }
-    destruct (Nat.eqb_spec i (next j n)) as [i_is | not_before].
-    { right. split; [exact i_is |]. rewrite i_is in *. now apply one_way. }
-    cbn [orb] in edges_apart. exfalso. rewrite edge_is in on_i, on_j by assumption.
-    revert on_j. apply (apart_have_no_common_point _ _ _ _ x (are_apart_sound _ _ _ _ edges_apart) on_i).
+                  (minus (vertex chain (next (next i n) n)) (vertex chain (next i n))));
+        [assumption | discriminate corners_turn; lia].
+    + intros i j less J not_next not_before. specialize (edges_apart (i, j)). cbn [fst snd] in edges_apart.
+      rewrite in_prod_iff, !in_seq in edges_apart. apply are_apart_sound.
+      destruct (Nat.eqb_spec i j), (Nat.eqb_spec j (next i n)), (Nat.eqb_spec i (next j n)); try contradiction;
+        [lia | apply edges_apart; lia].
   - intros chain_simple. pose proof chain_simple as (N & _).
     split; [split; [exact N |] |].
     + intros i I. apply in_seq in I.

@@ -39,15 +39,12 @@ Qed.
 
 Lemma simple_chain_without_crossings chain : simple chain -> without_crossings chain.
 Proof.
-  intros chain_simple.
-  assert (following : forall i, S i < length chain -> next i (length chain) = S i)
-    by (intros i L; unfold next; destruct (Nat.eqb_spec (S i) (length chain)); lia).
-  apply without_crossings_by_index.
+  intros chain_simple. apply without_crossings_by_index.
   - intros i L. pose proof (simple_chain_turns chain i chain_simple) as t. cbv zeta in t.
-    rewrite !following in t by lia. apply t. lia.
+    rewrite !next_below in t by lia. apply t. lia.
   - intros i j L J. apply are_apart_sound.
     pose proof (simple_chain_edges_apart chain i j chain_simple) as far. cbv zeta in far.
-    rewrite !following in far by lia. apply far; lia.
+    rewrite !next_below in far by lia. apply far; lia.
 Qed.
 
 (* Beginning at the next vertex. *)
@@ -91,10 +88,8 @@ Qed.
 Lemma turning_number_rotated chain : turning_number (rotated chain) = turning_number chain.
 Proof.
   unfold turning_number, turns_past. rewrite corners_rotated.
-  destruct (corners chain) as [| c rest]; [reflexivity |]. cbn [rotated].
-  rewrite map_app. unfold sum. cbn [map fold_right].
-  induction (map (fun b => sweep (Direction right OfQ) (incoming b) (outgoing b)) rest) as [| k ks IH];
-    cbn in *; lia.
+  destruct (corners chain) as [| c rest]; [reflexivity |]. cbn [rotated]. rewrite map_app, sum_of_both.
+  unfold sum. cbn [map fold_right]. lia.
 Qed.
 
 Lemma next_injective n i j : i < n -> j < n -> next i n = next j n -> i = j.
@@ -168,9 +163,7 @@ Theorem simple_chain_turns_once_at chain d s k :
 Proof.
   revert chain. induction k as [| k IH]; intros chain chain_simple nd K extreme.
   - apply (first_vertex_extreme chain d s); trivial. intros j J. apply extreme; lia.
-  - assert (k < length chain) as k_below by lia.
-    assert (following : next k (length chain) = S k)
-      by (unfold next; destruct (Nat.eqb_spec (S k) (length chain)); lia).
+  - assert (k < length chain) as k_below by lia. pose proof (next_below k _ K) as following.
     rewrite <- (turning_number_rotated chain), (IH (rotated chain)).
     + now rewrite corner_rotated, following.
     + now apply simple_rotated.

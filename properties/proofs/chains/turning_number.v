@@ -41,9 +41,8 @@ Definition reflex_vertices (chain : list vector) : nat := count is_reflex (corne
 
 Lemma from_the_last_permutes : forall A (l : list A), Permutation (from_the_last l) l.
 Proof.
-  intros A l. unfold from_the_last. destruct (rev l) as [| final rest] eqn:E.
-  - rewrite <- (rev_involutive l), E. reflexivity.
-  - rewrite <- (rev_involutive l), E. cbn. rewrite <- Permutation_cons_append. reflexivity.
+  intros A l. unfold from_the_last. rewrite <- (rev_involutive l) at 2.
+  destruct (rev l) as [| final rest]; [reflexivity | apply Permutation_cons_append].
 Qed.
 
 Lemma combine_ends : forall A B (l : list A) (m : list B), length l = length m ->
@@ -56,11 +55,8 @@ Qed.
 
 Lemma permuted_vectors : forall us vs, Permutation us vs -> PermutationA equal_vectors us vs.
 Proof.
-  intros us vs P. induction P.
-  - apply permA_nil.
-  - apply permA_skip; [reflexivity | assumption].
-  - apply permA_swap.
-  - eapply permA_trans; eassumption.
+  intros us vs P.
+  induction P; [apply permA_nil | now apply permA_skip | apply permA_swap | eapply permA_trans; eassumption].
 Qed.
 
 Definition turns_of (chain : list vector) : list (vector * vector) :=
@@ -81,15 +77,19 @@ Proof.
   intros d chain. unfold turns_past, total, corners, turns_of. rewrite map_map. reflexivity.
 Qed.
 
+Lemma turns_of_chain : forall chain, turns_everywhere chain -> forall u v, In (u, v) (turns_of chain) -> turns u v.
+Proof.
+  intros chain T u v I. apply (T (Corner u v)). unfold corners, turns_of in *. apply in_map_iff. now exists (u, v).
+Qed.
+
 (* Theorem. A closed chain's tangent passes every direction, of either summand, as often as any other,
    which is its turning number. *)
 Theorem turns_past_every_direction : forall chain d,
   turns_everywhere chain -> proper d -> turns_past d chain = turning_number chain.
 Proof.
   intros chain d T D. unfold turning_number. rewrite !turns_past_total.
-  apply sweeps_are_equal; [apply turns_closed | | exact D | unfold proper, nonzero; cbn; lra].
-  intros u v I. apply (T (Corner u v)). unfold corners, turns_of in *.
-  apply in_map_iff. exists (u, v). auto.
+  apply sweeps_are_equal; [apply turns_closed | now apply turns_of_chain | exact D |].
+  unfold proper, nonzero; cbn; lra.
 Qed.
 
 (* A vertex that turns left has in its tangent set what it passes; one that turns right has all else. *)

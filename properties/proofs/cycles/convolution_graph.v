@@ -27,13 +27,6 @@ Definition starts_at_node (s : (list vector * list vector) * named_segment) : ve
 Definition ends_at_node (s : (list vector * list vector) * named_segment) : vector :=
   node_of (ends_at s).
 
-Lemma count_occ_is_count A B (dec : forall a b : B, {a = b} + {a <> b}) (f : A -> B) x l :
-  count_occ dec (map f l) x = count (fun a => if dec (f a) x then true else false) l.
-Proof.
-  unfold count. induction l as [| a l IH]; [reflexivity |]. cbn.
-  destruct (dec (f a) x); cbn; now rewrite IH.
-Qed.
-
 Lemma count_at_node (point : (list vector * list vector) * named_segment -> vector) x l :
   count_occ vector_eq_dec (map (fun s => node_of (point s)) l) (node_of x) =
   count (fun s => is_point x (point s)) l.
@@ -71,9 +64,7 @@ Lemma states_entered_as_left (p q : list vector) :
   no_edge_is_a_point p -> no_edge_is_a_point q ->
   entered_as_left state_eq_dec state_before (state_after (length p) (length q)) (convolution p q).
 Proof.
-  intros ep eq x. rewrite !count_occ_is_count.
-  exact (as_many_end_as_start _ _ _ (fun a => if state_eq_dec a x then true else false)
-           (convolution_is_balanced p q ep eq)).
+  intros ep eq. exact (proj1 (Permutation_count_occ _ _ _) (Permutation_sym (states_permute p q ep eq))).
 Qed.
 
 (* Lemma 4.1.5. The segments of the convolution of two regions are those of cycles, each segment in exactly

@@ -38,6 +38,12 @@ Qed.
 Lemma next_in_range : forall i n, i < n -> next i n < n.
 Proof. intros i n L. unfold next. destruct (Nat.eqb_spec (S i) n); lia. Qed.
 
+Lemma next_below i k : S i < k -> next i k = S i.
+Proof. intros L. unfold next. destruct (Nat.eqb_spec (S i) k); lia. Qed.
+
+Lemma next_last k : 0 < k -> next (k - 1) k = 0.
+Proof. intros L. unfold next. destruct (Nat.eqb_spec (S (k - 1)) k); lia. Qed.
+
 Lemma arrival_of_p : forall n m steps i j, i < n ->
   fst (arrived n m (i, j) steps) = (i + steps_of_p steps) mod n.
 Proof.

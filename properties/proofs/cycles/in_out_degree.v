@@ -73,6 +73,22 @@ Proof.
   exact (as_many_end_as_start _ _ _ is_here (convolution_is_balanced p q ep eq)).
 Qed.
 
+Lemma count_occ_is_count A B (dec : forall a b : B, {a = b} + {a <> b}) (f : A -> B) x l :
+  count_occ dec (map f l) x = count (fun a => if dec (f a) x then true else false) l.
+Proof.
+  unfold count. induction l as [| a l IH]; [reflexivity |]. cbn.
+  destruct (dec (f a) x); cbn; now rewrite IH.
+Qed.
+
+(* So the states that segments leave are those to which they lead, in another order. *)
+Lemma states_permute (p q : list vector) : no_edge_is_a_point p -> no_edge_is_a_point q ->
+  Permutation (map state_before (convolution p q)) (map (state_after (length p) (length q)) (convolution p q)).
+Proof.
+  intros ep eq. apply (Permutation_count_occ state_eq_dec). intros x. rewrite !count_occ_is_count. symmetry.
+  exact (as_many_end_as_start _ _ _ (fun a => if state_eq_dec a x then true else false)
+           (convolution_is_balanced p q ep eq)).
+Qed.
+
 (* A polygon with holes, or any set of closed chains, is a list of them. *)
 Definition region : Type := list (list vector).
 
@@ -93,6 +109,23 @@ Definition ends_at (s : (list vector * list vector) * named_segment) : vector :=
 
 Definition is_point (x y : vector) : bool := Qeq_bool (vx x) (vx y) && Qeq_bool (vy x) (vy y).
 
+Lemma region_points_permute : forall p q : region,
+  (forall chain, In chain p -> no_edge_is_a_point chain) ->
+  (forall chain, In chain q -> no_edge_is_a_point chain) ->
+  Permutation (map starts_at (segments_of_regions p q)) (map ends_at (segments_of_regions p q)).
+Proof.
+  intros p q P Q. unfold segments_of_regions.
+  assert (I : forall chains, In chains (list_prod p q) ->
+    no_edge_is_a_point (fst chains) /\ no_edge_is_a_point (snd chains)).
+  { intros [a b] I. apply in_prod_iff in I. cbn. split; [apply P | apply Q]; tauto. }
+  induction (list_prod p q) as [| chains rest IH]; [reflexivity |].
+  cbn [flat_map]. rewrite !map_app, !map_map.
+  apply Permutation_app; [| apply IH; intros; apply I; now right].
+  destruct (I chains (or_introl eq_refl)) as [A B].
+  pose proof (Permutation_map (point_of chains) (states_permute _ _ A B)) as M.
+  rewrite !map_map in M. exact M.
+Qed.
+
 (* Lemma 4.1.4: at every point as many segments of the convolution end as start. P and Q are any closed
    chains, no two consecutive vertices of one equal: polygons with holes are among them. *)
 Theorem in_out_degree (p q : region) (x : vector) :
@@ -101,14 +134,6 @@ Theorem in_out_degree (p q : region) (x : vector) :
   count (fun s => is_point x (ends_at s)) (segments_of_regions p q) =
   count (fun s => is_point x (starts_at s)) (segments_of_regions p q).
 Proof.
-  intros ep eq. unfold segments_of_regions.
-  assert (proper_pairs : forall chains, In chains (list_prod p q) ->
-            no_edge_is_a_point (fst chains) /\ no_edge_is_a_point (snd chains)).
-  { intros [a b] I. apply in_prod_iff in I. split; [apply ep | apply eq]; tauto. }
-  induction (list_prod p q) as [| [a b] rest IH]; [reflexivity |]. cbn [flat_map].
-  rewrite !count_of_two. f_equal; [| apply IH; intros; apply proper_pairs; now right].
-  rewrite !count_of_images.
-  destruct (proper_pairs (a, b) (or_introl eq_refl)) as [ea eb]. cbn [fst snd] in *.
-  exact (as_many_end_as_start _ _ _ (fun at_ => is_point x (point_of (a, b) at_))
-           (convolution_is_balanced a b ea eb)).
+  intros ep eq. rewrite <- (count_of_images _ _ (is_point x) ends_at), <- (count_of_images _ _ (is_point x) starts_at).
+  symmetry. now apply count_permuted, region_points_permute.
 Qed.

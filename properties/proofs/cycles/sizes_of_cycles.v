@@ -1,41 +1,11 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Corollary 4.1.9 as corrected: some cycle goes round both chains. *)
 From Coq Require Import PeanoNat ZArith Lia Bool List Permutation.
-From Oplus Require Import numbers convolution tracing convolution_cycles crossing_cycles rows_and_columns.
+From Oplus Require Import numbers convolution tracing convolution_cycles crossing_cycles rows_and_columns regions
+  first_hit.
 Import ListNotations.
 
 Open Scope Q_scope.
-
-Definition sum_over (f : vector -> Q) (us : list vector) : Q := fold_right (fun u rest => f u + rest) 0 us.
-
-Lemma sum_over_rotated : forall f us, sum_over f (rotated us) == sum_over f us.
-Proof.
-  intros f [| u us]; [reflexivity |]. cbn. induction us as [| v us IH]; cbn; [reflexivity |].
-  rewrite IH. ring.
-Qed.
-
-(* The edges of a closed chain add up to zero, so they are not all on one open side of a line. *)
-Lemma edges_add_up_to_zero : forall chain w, sum_over (cross w) (edge_directions chain) == 0.
-Proof.
-  intros chain w. destruct (edges_ends chain) as [S T].
-  assert (A : sum_over (cross w) (edge_directions chain) ==
-              sum_over (cross w) (map target (edges chain)) -
-              sum_over (cross w) (map source (edges chain))).
-  { unfold edge_directions. clear S T. induction (edges chain) as [| s rest IH]; [cbn; ring |].
-    cbn [map sum_over fold_right] in *. unfold sum_over in *. rewrite IH.
-    unfold cross, minus. cbn [vx vy]. ring. }
-  rewrite A, S, T, sum_over_rotated. ring.
-Qed.
-
-Lemma sum_over_positive : forall f us, us <> [] -> (forall u, In u us -> 0 < f u) -> 0 < sum_over f us.
-Proof.
-  intros f us N F. destruct us as [| u us]; [contradiction |]. clear N.
-  revert u F. induction us as [| v us IH]; intros u F.
-  - cbn. pose proof (F u (or_introl eq_refl)). lra.
-  - change (sum_over f (u :: v :: us)) with (f u + sum_over f (v :: us)).
-    pose proof (F u (or_introl eq_refl)). assert (0 < sum_over f (v :: us)) by (apply IH; intros; apply F; now right).
-    lra.
-Qed.
 
 (* What is met on a turn to the left, by less than half a circle, is on one side of a line. *)
 Lemma between_on_one_side : forall e s u v,
@@ -45,20 +15,15 @@ Lemma between_on_one_side : forall e s u v,
 Proof.
   intros e s u v D U V G I. rewrite crossed_to_the_left in I by assumption.
   assert (F : forall w, cross w e == - cross e w) by (intros; unfold cross; ring).
-  assert (A : 0 <= cross u e /\ 0 <= cross e v).
+  assert (0 <= cross u e /\ 0 <= cross e v) as [A B].
   { unfold left_of_ray in I. destruct s;
       [ destruct (negative_spec (cross e u)), (negative_spec (cross e v))
       | destruct (negative_spec (cross u e)), (negative_spec (cross v e)) ];
       cbn in I; try discriminate; rewrite ?F in *; split; try lra; apply Qnot_lt_le; lra. }
-  assert (E : cross (minus u v) e == cross u e + cross e v) by (unfold cross, minus; cbn; ring).
-  rewrite E. destruct A as [A B].
+  setoid_replace (cross (minus u v) e) with (cross u e + cross e v) by (unfold cross, minus; cbn; ring).
   destruct (Qlt_le_dec 0 (cross u e + cross e v)) as [|L]; [assumption | exfalso].
-  assert (X : cross u v * vx e == cross e v * vx u + cross u e * vx v) by (unfold cross; ring).
-  assert (Y : cross u v * vy e == cross e v * vy u + cross u e * vy v) by (unfold cross; ring).
-  assert (P : cross u e == 0) by lra. assert (Q : cross e v == 0) by lra. rewrite P, Q in X, Y.
-  apply D. split.
-  - apply (Qmult_inj_l _ _ (cross u v)); [lra |]. rewrite X. ring.
-  - apply (Qmult_inj_l _ _ (cross u v)); [lra |]. rewrite Y. ring.
+  assert (P : cross u e == 0) by lra. assert (Q : cross e v == 0) by lra. apply D.
+  split; apply (Qmult_inj_l _ _ (cross u v)); try lra; unfold cross in *; by_equations.
 Qed.
 
 (* So is the tangent set of a vertex that is not reflex, and so is the complement of that of a
@@ -90,28 +55,15 @@ Qed.
 
 Open Scope nat_scope.
 
-Lemma edges_on_no_side : forall p w, p <> [] -> turns_everywhere p ->
+(* The edge that leaves the vertex that is furthest in a direction does not go there: so not all edges are on one open
+   side of a line. *)
+Lemma edges_on_no_side : forall p w, p <> [] ->
   exists i, i < length p /\ ~ (0 < cross w (edge_of_chain p i))%Q.
 Proof.
-  intros p w N T. assert (L : length (edge_directions p) = length p) by apply edges_length.
-  destruct (forallb (fun i => positive (cross w (edge_of_chain p i))) (seq 0 (length p))) eqn:A.
-  - exfalso. rewrite forallb_forall in A.
-    assert (0 < sum_over (cross w) (edge_directions p))%Q as S.
-    { apply sum_over_positive; [intros E; rewrite E in L; destruct p; [now apply N | discriminate] |].
-      intros e I. apply (In_nth _ _ nowhere) in I. destruct I as (i & J & <-). rewrite L in J.
-      assert (positive (cross w (edge_of_chain p i)) = true) as B by (apply A, in_seq; lia).
-      unfold positive in B.
-      destruct (negative_spec (- cross w (edge_of_chain p i))); [| discriminate].
-      unfold edge_of_chain in *. lra. }
-    rewrite edges_add_up_to_zero in S. lra.
-  - assert (exists i, In i (seq 0 (length p)) /\
-              positive (cross w (edge_of_chain p i)) = false) as (i & I & E).
-    { clear - A. induction (seq 0 (length p)) as [| i rest IH]; [discriminate |]. cbn in A.
-      destruct (positive (cross w (edge_of_chain p i))) eqn:E.
-      - destruct (IH A) as (k & K & F). exists k. split; [now right | exact F].
-      - exists i. split; [now left | exact E]. }
-    apply in_seq in I. exists i. split; [lia |]. unfold positive in E.
-    destruct (negative_spec (- cross w (edge_of_chain p i))); [discriminate | lra].
+  intros p w N. destruct (least_of (fun v => - cross w v)%Q p N) as (v & I & least).
+  apply (In_nth p v nowhere) in I. destruct I as (i & I & <-). exists i. split; [exact I |].
+  specialize (least _ (nth_In p nowhere (next_in_range i (length p) I))). rewrite edge_of_chain_is by exact I.
+  unfold cross, minus in *. cbn [vx vy]. lra.
 Qed.
 
 Lemma corners_turn : forall q j, turns_everywhere q -> j < length q ->
@@ -166,10 +118,9 @@ Qed.
 
 Lemma all_or_one : forall (f : nat -> bool) l, (forall a, In a l -> f a = true) \/ exists a, In a l /\ f a = false.
 Proof.
-  intros f l. induction l as [| a rest [IH | (b & I & F)]]; [left; intros a [] | |].
-  - destruct (f a) eqn:F; [left | right; exists a; split; [now left | exact F]].
-    intros b [<- | I]; auto.
-  - right. exists b. split; [now right | exact F].
+  intros f l. induction l as [| a rest [IH | (b & I & F)]];
+    [left; intros a [] | | right; exists b; split; [now right | exact F]].
+  destruct (f a) eqn:F; [left; intros b [<- | I]; auto | right; exists a; split; [now left | exact F]].
 Qed.
 
 Lemma row_of_reflex_vertices : forall q,
@@ -204,7 +155,7 @@ Proof.
     is_reflex (corner_of_chain q j) = true).
   { intros j J S. destruct (is_reflex (corner_of_chain q j)) eqn:R; [reflexivity | exfalso].
     destruct (edges_on_no_side p
-      (minus (incoming (corner_of_chain q j)) (outgoing (corner_of_chain q j))) PN P) as (i & I & N).
+      (minus (incoming (corner_of_chain q j)) (outgoing (corner_of_chain q j))) PN) as (i & I & N).
     apply N. apply (tangents_on_one_side (Direction (edge_of_chain p i) OfP)); trivial.
     - now apply edges_are_directions.
     - now apply corners_turn.
@@ -221,7 +172,7 @@ Proof.
       [rewrite R; apply Nat2Z.inj_lt; rewrite C; lia |].
     apply in_seq in J.
     destruct (edges_on_no_side p
-      (minus (outgoing (corner_of_chain q j)) (incoming (corner_of_chain q j))) PN P) as (i & I & N).
+      (minus (outgoing (corner_of_chain q j)) (incoming (corner_of_chain q j))) PN) as (i & I & N).
     apply N. apply (missing_on_one_side (Direction (edge_of_chain p i) OfP)); trivial.
     + now apply edges_are_directions.
     + apply corners_turn; [exact Q | lia].

@@ -35,6 +35,9 @@ Definition segment_to (n m : nat) (along : summand) (at_ : state) : named_segmen
   | OfQ => (OfQ, (fst at_, previous m (snd at_)))
   end.
 
+Definition state_eq_dec (a b : state) : {a = b} + {a <> b}.
+Proof. repeat decide equality. Defined.
+
 Definition in_grid (n m : nat) (at_ : state) : Prop := fst at_ < n /\ snd at_ < m.
 
 Definition states (n m : nat) : list state := list_prod (seq 0 n) (seq 0 m).

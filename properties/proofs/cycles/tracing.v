@@ -7,9 +7,6 @@ Import ListNotations.
 
 Open Scope nat_scope.
 
-Definition state_eq_dec (a b : state) : {a = b} + {a <> b}.
-Proof. repeat decide equality. Defined.
-
 Definition segment_eq_dec (s t : named_segment) : {s = t} + {s <> t}.
 Proof. repeat decide equality. Defined.
 

@@ -26,25 +26,17 @@ Definition diamond (t : Q) : vector :=
   else Vector (t - 3) (Qabs (t - 3) - 1).
 
 Lemma negative_spec (q : Q) : reflect (q < 0) (negative q).
-Proof.
-  unfold negative. destruct (q ?= 0) eqn:e; constructor;
-    [apply Qeq_alt in e | apply Qlt_alt in e | apply Qgt_alt in e]; lra.
-Qed.
+Proof. unfold negative. destruct (CompareSpec2Type (Qcompare_spec q 0)); constructor; lra. Qed.
 
 Lemma positive_spec (q : Q) : reflect (0 < q) (positive q).
 Proof. unfold positive. destruct (negative_spec (- q)); constructor; lra. Qed.
 
 Lemma zero_spec (q : Q) : reflect (q == 0) (zero q).
-Proof.
-  unfold zero. destruct (q ?= 0) eqn:e; constructor;
-    [apply Qeq_alt in e | apply Qlt_alt in e | apply Qgt_alt in e]; lra.
-Qed.
+Proof. unfold zero. destruct (CompareSpec2Type (Qcompare_spec q 0)); constructor; lra. Qed.
 
 Lemma half_spec (v : vector) : reflect (vy v < 0 \/ (vy v == 0 /\ vx v < 0)) (half v).
 Proof.
-  unfold half.
-  destruct (negative_spec (vy v)), (zero_spec (vy v)), (negative_spec (vx v));
-    constructor; tauto.
+  unfold half. destruct (negative_spec (vy v)), (zero_spec (vy v)), (negative_spec (vx v)); constructor; tauto.
 Qed.
 
 Lemma abs_cases (q : Q) : (0 <= q /\ Qabs q == q) \/ (q < 0 /\ Qabs q == - q).
@@ -57,18 +49,12 @@ Qed.
 Lemma size_positive (v : vector) : nonzero v -> 0 < size v.
 Proof.
   unfold nonzero, size. intros n.
-  destruct (abs_cases (vx v)) as [[? ->] | [? ->]], (abs_cases (vy v)) as [[? ->] | [? ->]];
-    lra.
+  destruct (abs_cases (vx v)) as [[? ->] | [? ->]], (abs_cases (vy v)) as [[? ->] | [? ->]]; lra.
 Qed.
 
 (* What an angle is, without a division. *)
-Lemma angle_size (v : vector) :
-  nonzero v ->
-  vx v == (if half v then angle v - 3 else 1 - angle v) * size v.
-Proof.
-  intros n. pose proof (size_positive v n). unfold angle.
-  destruct (half v); field; lra.
-Qed.
+Lemma angle_size (v : vector) : nonzero v -> vx v == (if half v then angle v - 3 else 1 - angle v) * size v.
+Proof. intros n. pose proof (size_positive v n). unfold angle. destruct (half v); field; lra. Qed.
 
 (* The coordinates (x, y) of the point of the diamond at angle a, quadrant by quadrant. *)
 Definition on_diamond (a x y : Q) : Prop :=
@@ -111,10 +97,10 @@ Proof.
   intros n. destruct (angle_cases v n) as (s & x & y & _ & c & _). unfold on_diamond in c. lra.
 Qed.
 
-Lemma half_angle (v : vector) : nonzero v -> half v = true <-> 2 <= angle v.
+Lemma half_angle (v : vector) : nonzero v -> reflect (2 <= angle v) (half v).
 Proof.
-  intros n. destruct (angle_cases v n) as (s & x & y & positive & c & x_is & y_is).
-  destruct (half_spec v) as [h | h]; split; intro e; try reflexivity; try discriminate e;
+  intros n. apply iff_reflect. destruct (angle_cases v n) as (s & x & y & positive & c & x_is & y_is).
+  destruct (half_spec v) as [h | h]; split; intro e; trivial; try discriminate e;
     destruct c as [c | [c | [c | c]]]; try lra; exfalso; nra.
 Qed.
 
@@ -145,49 +131,34 @@ Proof.
          | right; right; right; repeat split; [nra | nra | lra]].
 Qed.
 
+(* Longer vectors turn as much. *)
+Lemma turns_by_scaled (turn c d c' d' k : Q) :
+  0 < k -> c' == k * c -> d' == k * d -> turns_by turn c d <-> turns_by turn c' d'.
+Proof.
+  intros positive e f. unfold turns_by. rewrite e, f.
+  assert (sign : forall x, (0 < x <-> 0 < k * x) /\ (x < 0 <-> k * x < 0) /\ (x == 0 <-> k * x == 0))
+    by (intros x; destruct (Q_dec x 0) as [[? | ?] | ?]; repeat split; intros; nra).
+  pose proof (sign c). pose proof (sign d). tauto.
+Qed.
+
 Lemma cross_angle (u v : vector) :
   nonzero u -> nonzero v -> turns_by (angle v - angle u) (cross u v) (dot u v).
 Proof.
   intros m n.
   destruct (angle_cases u m) as (s & x & y & positive & c & x_is & y_is),
            (angle_cases v n) as (t & x' & y' & positive' & d & x_is' & y_is').
-  pose proof (diamond_turns _ _ _ _ _ _ c d) as turns. clear c d.
-  assert (0 < s * t) by nra.
-  assert (cross u v == (x * y' - y * x') * (s * t)) as cross_is
-    by (unfold cross; rewrite x_is, y_is, x_is', y_is'; ring).
-  assert (dot u v == (x * x' + y * y') * (s * t)) as dot_is
-    by (unfold dot; rewrite x_is, y_is, x_is', y_is'; ring).
-  unfold turns_by in *. rewrite cross_is, dot_is.
-  destruct turns as [[? ?] | [[? ?] | [[? [? ?]] | [? [? ?]]]]].
-  - left. split; [nra | assumption].
-  - right. left. split; [nra | assumption].
-  - right. right. left. repeat split; [nra | nra | assumption].
-  - right. right. right. repeat split; [nra | nra | assumption].
+  apply (turns_by_scaled _ (x * y' - y * x') (x * x' + y * y') _ _ (s * t)); [nra | | | now apply diamond_turns];
+    unfold cross, dot; rewrite x_is, y_is, x_is', y_is'; ring.
 Qed.
 
 (* compare_angle compares angles. *)
 Lemma compare_angle_is (u v : vector) :
   nonzero u -> nonzero v -> compare_angle u v = (angle u ?= angle v).
 Proof.
-  intros m n. pose proof (cross_angle u v m n) as turns. unfold turns_by in turns.
-  pose proof (angle_range u m). pose proof (angle_range v n).
-  pose proof (half_angle u m) as [hu hu']. pose proof (half_angle v n) as [hv hv'].
-  assert (cross u v == vx u * vy v - vy u * vx v) as cross_is by reflexivity.
-  unfold compare_angle. destruct (half u), (half v); symmetry.
-  - specialize (hu eq_refl). specialize (hv eq_refl). clear hu' hv'.
-    destruct (vy u * vx v ?= vx u * vy v) eqn:e;
-      [apply Qeq_alt in e; apply -> Qeq_alt | apply Qlt_alt in e; apply -> Qlt_alt
-      | apply Qgt_alt in e; apply -> Qgt_alt]; lra.
-  - apply -> Qgt_alt. specialize (hu eq_refl). destruct (Qlt_le_dec (angle v) 2) as [| q]; [lra |].
-    discriminate (hv' q).
-  - apply -> Qlt_alt. specialize (hv eq_refl). destruct (Qlt_le_dec (angle u) 2) as [| q]; [lra |].
-    discriminate (hu' q).
-  - assert (angle u < 2) by (destruct (Qlt_le_dec (angle u) 2) as [|q]; [lra | discriminate (hu' q)]).
-    assert (angle v < 2) by (destruct (Qlt_le_dec (angle v) 2) as [|q]; [lra | discriminate (hv' q)]).
-    clear hu hu' hv hv'.
-    destruct (vy u * vx v ?= vx u * vy v) eqn:e;
-      [apply Qeq_alt in e; apply -> Qeq_alt | apply Qlt_alt in e; apply -> Qlt_alt
-      | apply Qgt_alt in e; apply -> Qgt_alt]; lra.
+  intros m n. pose proof (cross_angle u v m n) as turns. unfold turns_by, cross in turns.
+  pose proof (angle_range u m). pose proof (angle_range v n). unfold compare_angle.
+  destruct (half_angle u m), (half_angle v n), (Qcompare_spec (angle u) (angle v)); trivial; try (exfalso; lra);
+    destruct (Qcompare_spec (vy u * vx v) (vx u * vy v)); trivial; exfalso; lra.
 Qed.
 
 (* Thesis, Definition 2.1.7: two directions are equal iff one is a positive multiple of the other. *)

@@ -19,11 +19,13 @@ Definition seen (b v : vector) : vector := Vector (dot b v) (cross b v).
 
 Lemma diamond_on (t : Q) : 0 <= t < 4 -> on_diamond t (vx (diamond t)) (vy (diamond t)).
 Proof.
-  intros r. unfold diamond, on_diamond.
-  destruct (Qlt_le_dec t 2); cbn [vx vy].
+  intros r. unfold diamond, on_diamond. destruct (Qlt_le_dec t 2); cbn [vx vy].
   - destruct (abs_cases (1 - t)) as [[? e] | [? e]]; rewrite e; lra.
   - destruct (abs_cases (t - 3)) as [[? e] | [? e]]; rewrite e; lra.
 Qed.
+
+Lemma diamond_first (t : Q) : 0 <= t < 1 -> vx (diamond t) == 1 - t /\ vy (diamond t) == t.
+Proof. intros r. pose proof (diamond_on t ltac:(lra)) as on. unfold on_diamond in on. lra. Qed.
 
 Lemma square_positive (v : vector) : nonzero v -> 0 < dot v v.
 Proof.
@@ -35,20 +37,22 @@ Qed.
 Lemma diamond_nonzero (t : Q) : 0 <= t < 4 -> nonzero (diamond t).
 Proof. intros r. pose proof (diamond_on t r). unfold on_diamond, nonzero in *. lra. Qed.
 
+Lemma nonzero_by_square (v : vector) : 0 < dot v v -> nonzero v.
+Proof. unfold dot. intros some [x_is y_is]. rewrite x_is, y_is in some. lra. Qed.
+
 Lemma product_nonzero (b v : vector) : nonzero b -> nonzero v -> nonzero (product b v).
 Proof.
-  intros m n. pose proof (square_positive b m). pose proof (square_positive v n).
-  assert (dot (product b v) (product b v) == dot b b * dot v v) as e
-    by (unfold dot, product; cbn [vx vy]; ring).
-  intros [x_is y_is]. unfold dot at 1 in e. rewrite x_is, y_is in e. nra.
+  intros m n. pose proof (square_positive b m). pose proof (square_positive v n). apply nonzero_by_square.
+  setoid_replace (dot (product b v) (product b v)) with (dot b b * dot v v) by (unfold dot; cbn [product vx vy]; ring).
+  nra.
 Qed.
 
 Lemma seen_nonzero (b v : vector) : nonzero b -> nonzero v -> nonzero (seen b v).
 Proof.
-  intros m n. pose proof (square_positive b m). pose proof (square_positive v n).
-  assert (dot (seen b v) (seen b v) == dot b b * dot v v) as e
-    by (unfold seen, dot, cross; cbn [vx vy]; ring).
-  intros [x_is y_is]. unfold dot at 1 in e. rewrite x_is, y_is in e. nra.
+  intros m n. pose proof (square_positive b m). pose proof (square_positive v n). apply nonzero_by_square.
+  setoid_replace (dot (seen b v) (seen b v)) with (dot b b * dot v v)
+    by (unfold seen, cross, dot; cbn [vx vy]; ring).
+  nra.
 Qed.
 
 (* The only angle a multiple of a point of the diamond has is the point's. *)
@@ -99,34 +103,19 @@ Qed.
 Definition ccw_of_vectors (d from to : vector) : bool :=
   ccw (Direction d OfP) (Direction from OfP) (Direction to OfP).
 
-Lemma turns_by_scaled (turn c d c' d' k : Q) :
-  0 < k -> c' == k * c -> d' == k * d -> turns_by turn c' d' -> turns_by turn c d.
-Proof.
-  intros positive e f. unfold turns_by. rewrite e, f.
-  intros [[? ?] | [[? ?] | [[? [? ?]] | [? [? ?]]]]].
-  - left. split; [nra | assumption].
-  - right. left. split; [nra | assumption].
-  - right. right. left. repeat split; [nra | nra | assumption].
-  - right. right. right. repeat split; [nra | nra | assumption].
-Qed.
-
 (* Angles as seen from b differ as much as those from the x-axis, up to less than half a turn. *)
 Lemma turns_as_seen (b u v : vector) :
   nonzero b -> nonzero u -> nonzero v ->
   turns_by (angle (seen b v) - angle (seen b u)) (cross u v) (dot u v).
 Proof.
-  intros l m n. apply (turns_by_scaled _ _ _ (cross (seen b u) (seen b v))
-                                       (dot (seen b u) (seen b v)) (dot b b)).
-  - now apply square_positive.
-  - unfold seen, cross, dot. cbn [vx vy]. ring.
-  - unfold seen, cross, dot. cbn [vx vy]. ring.
-  - apply cross_angle; now apply seen_nonzero.
+  intros l m n. apply (turns_by_scaled _ _ _ (cross (seen b u) (seen b v)) (dot (seen b u) (seen b v)) (dot b b));
+    [now apply square_positive | | | apply cross_angle; now apply seen_nonzero];
+    unfold seen, cross, dot; cbn [vx vy]; ring.
 Qed.
 
 Lemma angle_seen_itself (b : vector) : nonzero b -> angle (seen b b) == 0.
 Proof.
-  intros n. pose proof (diamond_on 0 ltac:(lra)) as on.
-  assert (vx (diamond 0) == 1 /\ vy (diamond 0) == 0) as [x_is y_is] by (unfold on_diamond in on; lra).
+  intros n. destruct (diamond_first 0 ltac:(lra)) as [x_is y_is].
   apply (angle_diamond _ 0 (dot b b)); [lra | now apply square_positive | |];
     rewrite ?x_is, ?y_is; unfold seen, cross, dot; cbn [vx vy]; ring.
 Qed.
@@ -181,10 +170,8 @@ Theorem turned_is_a_full_turn (b : vector) :
      forall s, 0 <= s < 4 -> same_direction v (turned b s) -> s == t).
 Proof.
   intros m. pose proof (square_positive b m). repeat split.
-  - exists 1. pose proof (diamond_on 0 ltac:(lra)) as on.
-    assert (vx (diamond 0) == 1 /\ vy (diamond 0) == 0) as [x_is y_is]
-      by (unfold on_diamond in on; lra).
-    unfold turned, product. cbn [vx vy]. rewrite x_is, y_is. repeat split; (lra || ring).
+  - exists 1. destruct (diamond_first 0 ltac:(lra)) as [x_is y_is].
+    unfold turned, product. cbn [vx vy]. rewrite x_is, y_is. repeat split; ring.
   - intros s t r r' r''.
     pose proof (diamond_turns _ _ _ _ _ _ (diamond_on s ltac:(lra)) (diamond_on t ltac:(lra))) as k.
     assert (0 < cross (diamond s) (diamond t)) by (unfold turns_by in k; unfold cross; lra).

@@ -47,3 +47,22 @@ Proof.
               (eventually_and _ _ (each a (or_introl eq_refl)) (IH (fun b I => each b (or_intror I))))).
     intros e [here there] b [<- | I]; auto.
 Qed.
+
+(* A linear change that is small does not reach zero. *)
+Lemma eventually_positive (a b : Q) : 0 < a -> eventually (fun epsilon => 0 < a + epsilon * b).
+Proof.
+  intros some. destruct (Qlt_le_dec b 0) as [less | more].
+  - exists (a / - b). assert (value : a / - b * - b == a) by (field; lra).
+    split; [apply Qlt_shift_div_l; lra |]. intros e _ below. nra.
+  - exists 1. split; [lra |]. intros e positive _. nra.
+Qed.
+
+(* Adding small multiples of a number, one leaves every number. *)
+Lemma leaves_a_number (a b c : Q) : ~ b == 0 -> eventually (fun epsilon => ~ a + epsilon * b == c).
+Proof.
+  intros some. destruct (Q_dec a c) as [[below | above] | equal].
+  - refine (eventually_implied _ _ _ (eventually_positive (c - a) (- b) _)); [intros e | ]; lra.
+  - refine (eventually_implied _ _ _ (eventually_positive (a - c) b _)); [intros e | ]; lra.
+  - exists 1. split; [lra |]. intros e positive _ still. apply some.
+    apply (Qmult_inj_l _ _ e); lra.
+Qed.

@@ -3,7 +3,7 @@
    vertex whose tangent set is not empty. Directions and ccw are those of direction.v, chains those of
    turning_number.v. *)
 From Coq Require Import Lia Bool List.
-From Oplus Require Import numbers convolution regions.
+From Oplus Require Import numbers convolution regions small_numbers first_hit first_edge_of_a_ray.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -54,56 +54,32 @@ Proof.
   - right. apply (found (Vector (vx u + vx v) (vy u + vy v))); unfold cross in *; cbn; lra.
 Qed.
 
-(* Of two points, one comes first from left to right, and from below if they are one above the other. *)
-Definition not_before (a b : vector) : Prop := vx b < vx a \/ (vx a == vx b /\ vy b <= vy a).
-
-Lemma last_point (l : list vector) : l <> [] -> exists a, In a l /\ forall b, In b l -> not_before a b.
-Proof.
-  unfold not_before. induction l as [| a l IH]; intros some; [now destruct some |]. destruct l as [| b l].
-  - exists a. split; [now left |]. intros c [<- | []]. lra.
-  - destruct IH as (c & I & last); [discriminate |].
-    assert (order : not_before a c \/ not_before c a).
-    { unfold not_before. destruct (Qlt_le_dec (vx c) (vx a)), (Qlt_le_dec (vx a) (vx c)); try tauto.
-      destruct (Qlt_le_dec (vy c) (vy a)); [left | right]; right; split; lra. }
-    unfold not_before in order. destruct order as [later | later].
-    + exists a. split; [now left |]. intros d [<- | J]; [lra |]. specialize (last d J). lra.
-    + exists c. split; [now right |]. intros d [<- | J]; [lra | auto].
-Qed.
-
-(* Theorem. Every closed chain, no edge of which is a point, has a vertex with a direction in its tangent set. *)
+(* Theorem. Every closed chain, no edge of which is a point, has a vertex with a direction in its tangent set: a
+   vertex that is extreme in a direction that no edge has. *)
 Theorem some_tangent_set_is_not_empty (chain : list vector) :
   no_edge_is_a_point chain -> chain <> [] ->
   exists i d, (i < length chain)%nat /\ nonzero d /\
     forall label, in_tangent_set (Direction d label) (corner_of_chain chain i) = true.
 Proof.
-  intros proper some. destruct (last_point chain some) as (a & I & last).
-  apply (In_nth chain a nowhere) in I. destruct I as (i & I & <-).
-  pose proof (previous_below _ _ I) as J. pose proof (next_in_range _ _ I) as K.
+  intros proper some. destruct (direction_beside (edge_directions chain) proper) as (w & _ & beside).
+  destruct (least_of (cross w) chain some) as (v & I & least).
+  apply (In_nth chain v nowhere) in I. destruct I as (i & I & <-). pose proof (previous_below _ _ I) as J.
   destruct (tangent_or_straight (corner_of_chain chain i) (corner_proper chain i proper I))
     as [[along ahead] | (d & D & tangent)]; [exfalso | now exists i, d].
   rewrite corner_is in along, ahead by exact I. cbn [incoming outgoing] in *.
-  pose proof (edge_nonzero chain i proper I) as proper_out.
-  pose proof (edge_nonzero chain _ proper J) as proper_in.
-  rewrite (edge_of_chain_is chain i I) in along, ahead, proper_out.
-  rewrite (edge_of_chain_is chain _ J), next_previous in along, ahead, proper_in by exact I.
-  pose proof (last _ (nth_In chain nowhere J)) as before. pose proof (last _ (nth_In chain nowhere K)) as after.
-  unfold not_before, cross, dot, nonzero, minus in *. cbn [vx vy] in *.
-  set (ax := vx (nth i chain nowhere)) in *. set (ay := vy (nth i chain nowhere)) in *.
-  set (bx := vx (nth (previous (length chain) i) chain nowhere)) in *.
-  set (by_ := vy (nth (previous (length chain) i) chain nowhere)) in *.
-  set (cx := vx (nth (next i (length chain)) chain nowhere)) in *.
-  set (cy := vy (nth (next i (length chain)) chain nowhere)) in *.
-  clearbody ax ay bx by_ cx cy. clear last some.
-  assert (in_x : 0 <= ax - bx) by lra. assert (out_x : cx - ax <= 0) by lra.
-  set (ux := ax - bx) in *. set (wx := cx - ax) in *. set (uy := ay - by_) in *. set (wy := cy - ay) in *.
-  assert (before_ : 0 < ux \/ (ux == 0 /\ 0 <= uy)) by (unfold ux, uy; lra).
-  assert (after_ : wx < 0 \/ (wx == 0 /\ wy <= 0)) by (unfold wx, wy; lra).
-  clearbody ux wx uy wy. clear before after ax ay bx by_ cx cy.
-  destruct before_ as [before | [ux_zero before]], after_ as [after | [wx_zero after]].
-  - assert (0 < uy * wy) by nra. destruct (Qlt_le_dec 0 uy); nra.
-  - rewrite wx_zero in *. apply proper_out. split; [reflexivity | nra].
-  - rewrite ux_zero in *. apply proper_in. split; [reflexivity | nra].
-  - rewrite ux_zero, wx_zero in *. nra.
+  assert (beside_edge : forall k, (k < length chain)%nat -> ~ cross w (edge_of_chain chain k) == 0)
+    by (intros k K; apply beside, nth_In; now rewrite edges_length).
+  pose proof (beside_edge i I) as beside_out. pose proof (beside_edge _ J) as beside_in.
+  pose proof (least _ (nth_In chain nowhere J)) as less_in.
+  pose proof (least _ (nth_In chain nowhere (next_in_range _ _ I))) as less_out.
+  rewrite (edge_of_chain_is chain i I) in along, ahead, beside_out.
+  rewrite (edge_of_chain_is chain _ J), next_previous in along, ahead, beside_in by exact I.
+  set (u := minus _ (nth (previous _ _) _ _)) in *. set (v := minus (nth (next _ _) _ _) _) in *.
+  assert (into : cross w u <= 0) by (unfold u, cross, minus in *; cbn [vx vy]; lra).
+  assert (out_of : 0 <= cross w v) by (unfold v, cross, minus in *; cbn [vx vy]; lra).
+  clearbody u v.
+  assert (parallel : dot u u * cross w v == dot u v * cross w u) by (unfold cross, dot in *; by_equations).
+  assert (0 <= dot u u) by (unfold dot; nra). assert (cross w u < 0) by lra. nra.
 Qed.
 
 (* A vertex that is not inside a straight line. *)

@@ -21,14 +21,12 @@ Theorem in_tangent_set_returns (d : direction) (c : corner) : proper d -> proper
        same_direction (nudged epsilon leaves) (turned (nudged epsilon enters) t))).
 Proof.
   intros proper_d [proper_in proper_out] enters leaves.
-  destruct (tie_rule_is_a_rotation [d; enters; leaves]) as (bound & some & rotated).
-  { intros u [<- | [<- | [<- | []]]]; assumption. }
-  destruct (eventually_and _ _ (nudged_order d enters proper_d proper_in)
-    (nudged_order leaves leaves proper_out proper_out)) as (limit & L & orders).
-  exists (Qmin bound limit). split; [now apply Q.min_glb_lt |]. intros epsilon positive_ below.
-  pose proof (Q.le_min_l bound limit). pose proof (Q.le_min_r bound limit).
-  destruct (orders epsilon positive_) as [(of_d & of_enters & _) (of_leaves & _)]; [lra |].
-  destruct (rotated epsilon positive_) as [_ same_]; [lra |].
+  assert (all_proper : forall u, In u [d; enters; leaves] -> proper u)
+    by (intros u [<- | [<- | [<- | []]]]; assumption).
+  refine (eventually_implied _ _ _ (eventually_and _ _ (tie_rule_is_a_rotation _ all_proper)
+    (eventually_and _ _ (nudged_order d enters proper_d proper_in)
+      (nudged_order leaves leaves proper_out proper_out)))).
+  intros epsilon ([_ same_] & (of_d & of_enters & _) & (of_leaves & _)).
   unfold in_tangent_set. fold enters leaves.
   rewrite (same_ d enters leaves) by (cbn; tauto). now apply ccw_is_met_first.
 Qed.

@@ -14,47 +14,27 @@ Definition nudged (epsilon : Q) (d : direction) : vector :=
 (* Turned a little, v passes no direction that comes later, the full turn included. *)
 Lemma turned_a_little (v : vector) (limit : Q) :
   nonzero v -> angle v < limit -> limit <= 4 ->
-  eventually (fun epsilon => nonzero (turned v epsilon) /\
-                             angle v < angle (turned v epsilon) < limit).
+  eventually (fun epsilon => nonzero (turned v epsilon) /\ angle v < angle (turned v epsilon) < limit).
 Proof.
   intros n before_limit r. pose proof (angle_range v n) as rv.
-  set (later := Qmin ((angle v + limit) / 2) (angle v + 1)).
-  assert (angle v < later /\ later < limit /\ later < angle v + 2) as (after & below & near).
-  { unfold later. pose proof (Q.le_min_l ((angle v + limit) / 2) (angle v + 1)).
-    pose proof (Q.le_min_r ((angle v + limit) / 2) (angle v + 1)).
-    assert ((angle v + limit) / 2 == (angle v + limit) * (1 # 2)) as half_is by field.
-    rewrite half_is in *.
-    repeat split; try lra. apply Q.min_glb_lt; lra. }
-  clearbody later.
-  set (w := diamond later).
-  assert (nw : nonzero w) by (apply diamond_nonzero; lra).
+  assert (exists later, angle v < later < limit /\ later < angle v + 2) as (later & between & near).
+  { destruct (Qlt_le_dec (angle v + 1) limit); [exists (angle v + 1) | exists ((1 # 2) * (angle v + limit))]; lra. }
+  set (w := diamond later). assert (nw : nonzero w) by (apply diamond_nonzero; lra).
   assert (angle_w : angle w == later)
     by (apply (angle_diamond _ later 1); [lra | lra | unfold w; ring | unfold w; ring]).
   assert (left : 0 < cross v w).
   { pose proof (cross_angle v w n nw) as k. unfold turns_by in k. rewrite angle_w in k. lra. }
-  set (slack := cross v w + Qabs (dot v w) + 1).
-  assert (1 <= slack) by (unfold slack; pose proof (Qabs_nonneg (dot v w)); lra).
-  exists (Qmin 1 (cross v w / slack)). split.
-  { apply Q.min_glb_lt; [lra |]. apply Qlt_shift_div_l; lra. }
-  intros e positive small.
-  pose proof (Q.le_min_l 1 (cross v w / slack)). pose proof (Q.le_min_r 1 (cross v w / slack)).
-  assert (e * slack < cross v w).
-  { assert (e < cross v w / slack) as k by lra.
-    apply (Qmult_lt_r _ _ slack) in k; [| lra].
-    assert (cross v w / slack * slack == cross v w) by (field; lra). lra. }
-  pose proof (diamond_on e ltac:(lra)) as on.
-  assert (vx (diamond e) == 1 - e /\ vy (diamond e) == e) as [x_is y_is]
-    by (unfold on_diamond in on; lra).
+  refine (eventually_implied _ _ _ (eventually_and _ _ (eventually_below 1 _)
+    (eventually_positive _ (- (cross v w + dot v w)) left))); [| lra].
+  intros e [small rest]. destruct (diamond_first e) as [x_is y_is]; [lra |].
   assert (nt : nonzero (turned v e)) by (apply product_nonzero; [| apply diamond_nonzero]; trivial; lra).
-  split; [assumption |].
+  split; [exact nt |].
   assert (turn : 0 < cross v (turned v e)).
   { assert (cross v (turned v e) == dot v v * e) as ->
       by (unfold turned, product, cross, dot; cbn [vx vy]; rewrite x_is, y_is; ring).
     pose proof (square_positive v n). nra. }
-  assert (rest : 0 < cross (turned v e) w).
-  { assert (cross (turned v e) w == cross v w - e * (cross v w + dot v w)) as ->
-      by (unfold turned, product, cross, dot; cbn [vx vy]; rewrite x_is, y_is; ring).
-    unfold slack in *. destruct (abs_cases (dot v w)) as [[? abs] | [? abs]]; rewrite abs in *; nra. }
+  assert (turn_to_w : cross (turned v e) w == cross v w + e * - (cross v w + dot v w))
+    by (unfold turned, product, cross, dot; cbn [vx vy]; rewrite x_is, y_is; ring).
   pose proof (cross_angle v _ n nt) as k. pose proof (cross_angle _ w nt nw) as k'.
   unfold turns_by in k, k'. rewrite angle_w in k'.
   assert (0 < angle (turned v e) - angle v < 2 \/ angle (turned v e) - angle v < -2) by lra.
@@ -81,6 +61,23 @@ Proof.
 Qed.
 
 (* Nudging keeps the order of two directions, and makes it one of angles alone. *)
+Lemma nudged_earlier (a b : direction) :
+  proper a -> proper b ->
+  eventually (fun epsilon =>
+    nonzero (nudged epsilon a) /\ (earlier a b -> angle (nudged epsilon a) < angle (nudged epsilon b))).
+Proof.
+  intros m n. pose proof (angle_range (vec a) m). pose proof (angle_range (vec b) n).
+  assert (exists limit, angle (vec a) < limit <= 4 /\ (angle (vec a) < angle (vec b) -> limit <= angle (vec b)))
+    as (limit & range & before_b).
+  { destruct (Qlt_le_dec (angle (vec a)) (angle (vec b))); [exists (angle (vec b)) | exists 4]; repeat split; lra. }
+  refine (eventually_implied _ _ _
+            (eventually_and _ _ (nudged_a_little a limit m _ _) (nudged_a_little b 4 n _ _))); try lra.
+  intros e [(na & before_limit & _) (_ & after_b & qb)]. split; [exact na |].
+  unfold earlier, place. intros [less | [tie labels]]; [specialize (before_b less); lra |].
+  destruct (of a) eqn:label_a, (of b) eqn:label_b; try (exfalso; lra).
+  specialize (qb eq_refl). assert (nudged e a = vec a) as -> by (unfold nudged; now rewrite label_a). lra.
+Qed.
+
 Lemma nudged_order (a b : direction) :
   proper a -> proper b ->
   eventually (fun epsilon =>
@@ -89,31 +86,11 @@ Lemma nudged_order (a b : direction) :
     (equal a b -> angle (nudged epsilon a) == angle (nudged epsilon b)) /\
     (earlier b a -> angle (nudged epsilon b) < angle (nudged epsilon a))).
 Proof.
-  intros m n. pose proof (angle_range (vec a) m). pose proof (angle_range (vec b) n).
-  assert (limit_of : forall x y : Q, x < 4 -> y < 4 ->
-            exists limit, x < limit /\ limit <= 4 /\ (x < y -> limit <= y)).
-  { intros x y ? ?. destruct (Qlt_le_dec x y); [exists y | exists 4]; repeat split; lra. }
-  destruct (limit_of (angle (vec a)) (angle (vec b))) as (la & ? & ? & ?); [lra .. |].
-  destruct (limit_of (angle (vec b)) (angle (vec a))) as (lb & ? & ? & ?); [lra .. |].
-  assert (small : eventually (fun epsilon => 0 < epsilon < 1)).
-  { exists 1. split; [lra |]. intros; lra. }
-  refine (eventually_implied _ _ _
-            (eventually_and _ _ small
-               (eventually_and _ _ (nudged_a_little a la m _ _) (nudged_a_little b lb n _ _))));
-    try assumption.
-  intros e (? & (na & ? & qa) & (nb & ? & qb)).
-  repeat split; trivial.
-  - unfold earlier, place. intros [? | [? ?]]; [lra |].
-    destruct (of a) eqn:label_a, (of b) eqn:label_b; try (exfalso; lra).
-    specialize (qb eq_refl). assert (nudged e a = vec a) as -> by (unfold nudged; now rewrite label_a).
-    lra.
-  - intros [same_angle labels]. apply place_of in labels.
-    apply same_direction_angle; trivial. apply same_direction_angle in same_angle; trivial.
-    unfold nudged. rewrite labels. destruct (of b); [trivial | now apply turned_same].
-  - unfold earlier, place. intros [? | [? ?]]; [lra |].
-    destruct (of a) eqn:label_a, (of b) eqn:label_b; try (exfalso; lra).
-    specialize (qa eq_refl). assert (nudged e b = vec b) as -> by (unfold nudged; now rewrite label_b).
-    lra.
+  intros m n.
+  refine (eventually_implied _ _ _ (eventually_and _ _ (nudged_earlier a b m n) (nudged_earlier b a n m))).
+  intros e [(na & ab) (nb & ba)]. repeat split; trivial. intros [same_angle labels]. apply place_of in labels.
+  apply same_direction_angle; trivial. apply same_direction_angle in same_angle; trivial.
+  unfold nudged. rewrite labels. destruct (of b); [trivial | now apply turned_same].
 Qed.
 
 Lemma nudged_ccw (d from to : direction) :
@@ -151,27 +128,15 @@ Theorem tie_rule_is_a_rotation (directions : list direction) :
          ccw d from to =
          ccw_of_vectors (nudged epsilon d) (nudged epsilon from) (nudged epsilon to))).
 Proof.
-  intros all_proper.
-  refine (eventually_and _ _ _ _).
-  - refine (eventually_implied _ _ _
-              (eventually_for_all (fun pair epsilon => of (fst pair) = OfP -> of (snd pair) = OfQ ->
-                 ~ same_direction (nudged epsilon (fst pair)) (nudged epsilon (snd pair)))
-                 (list_prod directions directions) _)).
-    + intros e apart a b A B. apply (apart (a, b)). now apply in_prod.
-    + intros [a b] I. apply in_prod_iff in I. destruct I as [A B]. cbn [fst snd].
-      refine (eventually_implied _ _ _ (nudged_order a b (all_proper a A) (all_proper b B))).
-      intros e (na & nb & ab & _ & ba) oa ob. rewrite same_direction_angle by assumption.
-      destruct (earlier_total a b) as [o | [o | o]].
-      * specialize (ab o). lra.
-      * destruct o as [_ o]. apply place_of in o. rewrite oa, ob in o. discriminate o.
-      * specialize (ba o). lra.
-  - refine (eventually_implied _ _ _
-              (eventually_for_all (fun triple epsilon =>
-                 ccw (fst (fst triple)) (snd (fst triple)) (snd triple) =
-                 ccw_of_vectors (nudged epsilon (fst (fst triple)))
-                   (nudged epsilon (snd (fst triple))) (nudged epsilon (snd triple)))
-                 (list_prod (list_prod directions directions) directions) _)).
-    + intros e equal d from to D F T. apply (equal ((d, from), to)). repeat apply in_prod; trivial.
-    + intros [[d from] to] I. rewrite !in_prod_iff in I. destruct I as [[D F] T].
-      now apply nudged_ccw; apply all_proper.
+  intros all_proper. apply eventually_and.
+  - refine (eventually_implied _ _ _ (eventually_for_all _ directions (fun a A =>
+      eventually_for_all _ directions (fun b B => nudged_order a b (all_proper a A) (all_proper b B))))).
+    intros e orders a b A B oa ob. destruct (orders a A b B) as (na & nb & ab & _ & ba).
+    rewrite same_direction_angle by assumption.
+    destruct (earlier_total a b) as [o | [[_ o] | o]]; [specialize (ab o); lra | | specialize (ba o); lra].
+    apply place_of in o. rewrite oa, ob in o. discriminate o.
+  - refine (eventually_implied _ _ _ (eventually_for_all _ directions (fun d D =>
+      eventually_for_all _ directions (fun from F => eventually_for_all _ directions (fun to T =>
+        nudged_ccw d from to (all_proper d D) (all_proper from F) (all_proper to T)))))).
+    intros e equal d from to D F T. now apply equal.
 Qed.

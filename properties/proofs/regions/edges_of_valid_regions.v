@@ -128,7 +128,5 @@ Qed.
 Lemma valid_regions_have_edges (components : list component) (chain : list vector) :
   valid_components components -> In chain (region_of components) -> no_edge_is_a_point chain.
 Proof.
-  intros [each _] I. apply in_flat_map in I. destruct I as (c & C & I).
-  destruct (each c C) as (outer_simple & _ & holes_valid & _).
-  destruct I as [<- | I]; [apply outer_simple | now apply holes_valid].
+  intros valid I. now destruct (chains_of_valid_regions_are_simple components chain valid I) as (_ & has_edges & _).
 Qed.

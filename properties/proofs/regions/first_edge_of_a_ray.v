@@ -16,24 +16,27 @@ Lemma direction_avoiding (others : list vector) (a b : vector) :
     forall c, In c others -> ~ cross (Vector (vx a + t * (vx b - vx a)) (vy a + t * (vy b - vy a))) c == 0.
 Proof.
   intros all_nonzero across.
-  destruct (eventually_for_all (fun c t =>
-    ~ cross (Vector (vx a + t * (vx b - vx a)) (vy a + t * (vy b - vy a))) c == 0) others)
-    as (limit & positive & near).
-  - intros c I. pose proof (all_nonzero c I) as nc.
-    destruct (quadratic_nearby (cross a c) (cross b c - cross a c) 0) as (limit & positive & near).
-    exists limit. split; [exact positive |]. intros e e_positive small none.
-    specialize (near e e_positive small).
-    assert (zero_is : cross a c + e * (cross b c - cross a c) + e * e * 0 == 0)
-      by (etransitivity; [| exact none]; unfold cross; cbn [vx vy]; ring).
-    apply (proj1 (Qeq_alt _ _)) in zero_is. rewrite zero_is in near. unfold sign_nearby in near.
-    compared_numbers (cross a c ?= 0); try discriminate.
-    compared_numbers (cross b c - cross a c ?= 0); try discriminate.
-    assert (b_is : cross b c == 0) by lra.
-    apply nc. split; apply (Qmult_inj_l _ _ (cross a b)); trivial; unfold cross in *; by_equations.
-  - set (t := (1 # 2) * (if Qlt_le_dec limit 1 then limit else 1)).
-    assert (t_range : 0 < t /\ t < 1 /\ t < limit)
-      by (unfold t; destruct (Qlt_le_dec limit 1); lra).
-    exists t. split; [lra |]. intros c I. apply (near t); trivial; lra.
+  assert (each : forall c, In c others ->
+    eventually (fun t => ~ cross (Vector (vx a + t * (vx b - vx a)) (vy a + t * (vy b - vy a))) c == 0)).
+  { intros c I. destruct (Qeq_dec (cross b c) (cross a c)) as [same | turn].
+    - exists 1. split; [lra |]. intros t _ _ none. apply (all_nonzero c I).
+      assert (cross a c == 0) by (unfold cross in *; cbn [vx vy] in *; by_equations).
+      split; apply (Qmult_inj_l _ _ (cross a b)); trivial; unfold cross in *; by_equations.
+    - refine (eventually_implied _ _ _ (leaves_a_number (cross a c) (cross b c - cross a c) 0 _)); [| lra].
+      intros t apart_ none. apply apart_. rewrite <- none. unfold cross. cbn [vx vy]. ring. }
+  destruct (some_small _ (eventually_and _ _ (eventually_below 1 ltac:(lra)) (eventually_for_all _ others each)))
+    as (t & _ & range & avoided).
+  now exists t.
+Qed.
+
+(* Some direction is that of none of finitely many vectors, nor opposite. *)
+Lemma direction_beside (l : list vector) : (forall v, In v l -> nonzero v) ->
+  exists d, nonzero d /\ forall v, In v l -> ~ cross d v == 0.
+Proof.
+  intros proper_l.
+  destruct (direction_avoiding l (Vector 1 0) (Vector 0 1) proper_l) as (t & range & beside);
+    [unfold cross; cbn; lra |].
+  exists (Vector (1 + t * (0 - 1)) (0 + t * (1 - 0))). split; [unfold nonzero; cbn; lra | exact beside].
 Qed.
 
 (* The ray from x along u. *)

@@ -71,19 +71,15 @@ Proof.
     by (unfold area, c, cross, minus, moved_along; cbn; rewrite X, Y; ring).
   assert (positive_ : 0 < e * c) by nra.
   split; [lra |]. split; [lra |].
-  unfold signed_crossing_of_step, side_of_segment, side_of_step. cbn [source target].
-  rewrite !orientation_by_area.
-  rewrite (proj1 (Qlt_alt (area (Segment a b) (moved_along w n (- e))) 0)) by lra.
-  rewrite (proj1 (Qgt_alt (area (Segment a b) (moved_along w n e)) 0)) by lra.
   assert (of_source : area (Segment (moved_along w n (- e)) (moved_along w n e)) a == 2 * k * (e * c))
     by (unfold area, c, cross, minus, moved_along; cbn; rewrite X, Y; ring).
   assert (of_target : area (Segment (moved_along w n (- e)) (moved_along w n e)) b == - (2 * (1 - k) * (e * c)))
     by (unfold area, c, cross, minus, moved_along; cbn; rewrite X, Y; ring).
-  rewrite (proj1 (Qgt_alt (area (Segment (moved_along w n (- e)) (moved_along w n e)) a) 0))
-    by (rewrite of_source; apply Qmult_lt_0_compat; lra).
-  rewrite (proj1 (Qlt_alt (area (Segment (moved_along w n (- e)) (moved_along w n e)) b) 0)).
-  - reflexivity.
-  - rewrite of_target. assert (0 < 2 * (1 - k) * (e * c)) by (apply Qmult_lt_0_compat; lra). lra.
+  assert (0 < k * (e * c) /\ 0 < (1 - k) * (e * c)) as [? ?] by (split; apply Qmult_lt_0_compat; lra).
+  unfold signed_crossing_of_step, side_of_segment, side_of_step. cbn [source target]. rewrite !orientation_by_area.
+  rewrite (proj1 (Qlt_alt _ 0)), (proj1 (Qgt_alt (area _ (moved_along w n e)) 0)),
+    (proj1 (Qgt_alt (area _ a) 0)), (proj1 (Qlt_alt (area _ b) 0)) by lra.
+  reflexivity.
 Qed.
 
 (* Theorem. Where an edge meets no other, at a point that is no vertex, the winding number to its left is one more than
@@ -130,16 +126,6 @@ Proof.
   refine (eventually_implied _ _ _ (left_is_one_more r s w n meet I on no_vertex left_)).
   intros e (off_to & off_from & more). split; [exact off_to |].
   pose proof (valid _ off_from). lia.
-Qed.
-
-(* Adding small multiples of a number, one leaves every number. *)
-Lemma leaves_a_number (a b c : Q) : ~ b == 0 -> eventually (fun e => ~ a + e * b == c).
-Proof.
-  intros some. destruct (Qlt_le_dec 0 ((c - a) / b)) as [ahead | behind].
-  - exists ((c - a) / b). split; [exact ahead |]. intros e _ below equal.
-    assert (e == (c - a) / b); [| lra]. rewrite <- equal. field. exact some.
-  - exists 1. split; [lra |]. intros e positive_ _ equal.
-    assert (e == (c - a) / b); [| lra]. rewrite <- equal. field. exact some.
 Qed.
 
 (* Of the points close to w in a direction, at most one is a given point. *)

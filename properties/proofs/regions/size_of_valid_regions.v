@@ -37,30 +37,15 @@ Proof.
   apply convolution_size_of_regions; intros chain I; apply simple_chain_turns_everywhere; auto.
 Qed.
 
-Lemma chains_of_valid_regions_are_simple (components : list component) (chain : list vector) :
-  valid_components components -> In chain (region_of components) -> simple chain.
-Proof.
-  intros [each _] I. apply in_flat_map in I. destruct I as (c & C & I).
-  destruct (each c C) as (outer_simple & _ & holes_valid & _).
-  destruct I as [<- | I]; [exact outer_simple | now apply holes_valid].
-Qed.
-
 Definition number_of_holes (components : list component) : Z :=
   Z.of_nat (length (flat_map hole_chains components)).
 
-Lemma count_all {A : Type} (test : A -> bool) (l : list A) :
-  (forall a, In a l -> test a = true) -> count test l = length l.
+Lemma count_constant {A : Type} (test : A -> bool) (b : bool) (l : list A) :
+  (forall a, In a l -> test a = b) -> count test l = if b then length l else 0%nat.
 Proof.
-  unfold count. induction l as [| a l IH]; intros all; [reflexivity |]. cbn [filter].
-  rewrite (all a (or_introl eq_refl)). cbn [length]. rewrite IH; [reflexivity |].
-  intros b I. apply all. now right.
-Qed.
-
-Lemma count_none {A : Type} (test : A -> bool) (l : list A) :
-  (forall a, In a l -> test a = false) -> count test l = 0%nat.
-Proof.
-  unfold count. induction l as [| a l IH]; intros none; [reflexivity |]. cbn [filter].
-  rewrite (none a (or_introl eq_refl)). apply IH. intros b I. apply none. now right.
+  unfold count. induction l as [| a l IH]; intros all; [now destruct b |]. cbn [filter].
+  specialize (IH (fun c I => all c (or_intror I))). rewrite (all a (or_introl eq_refl)).
+  destruct b; cbn [length]; now rewrite IH.
 Qed.
 
 Lemma chains_of_valid_regions (components : list component) :
@@ -76,8 +61,8 @@ Proof.
   unfold chains_of_component.
   change (outer_chain c :: hole_chains c) with ([outer_chain c] ++ hole_chains c).
   rewrite !count_of_two.
-  rewrite (count_none is_counterclockwise (hole_chains c)) by (intros h I; now apply holes_valid).
-  rewrite (count_all (fun chain => negb (is_counterclockwise chain)) (hole_chains c))
+  rewrite (count_constant is_counterclockwise false (hole_chains c)) by (intros h I; now apply holes_valid).
+  rewrite (count_constant (fun chain => negb (is_counterclockwise chain)) true (hole_chains c))
     by (intros h I; destruct (holes_valid h I) as (_ & clockwise & _); now rewrite clockwise).
   unfold count. cbn [filter]. rewrite left_turn. cbn [negb length]. lia.
 Qed.

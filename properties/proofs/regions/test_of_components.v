@@ -21,10 +21,6 @@ Proof.
   revert on_o. now apply (apart_have_no_common_point a b c e z).
 Qed.
 
-Lemma no_common_point_swapped some others :
-  have_no_common_point some others -> have_no_common_point others some.
-Proof. intros none s o z S O on_s on_o. exact (none o s z O S on_o on_s). Qed.
-
 (* Around all points of a chain other segments that it does not meet go as often as around its first vertex. *)
 Lemma around_all_of_a_chain (chain : list vector) (others : list segment) (p : vector) :
   cycles others -> have_no_common_point (edges chain) others -> on_one_of p (edges chain) ->
@@ -65,8 +61,8 @@ Lemma are_beside_sound some others :
 Proof.
   unfold are_outside_each_other. rewrite !andb_true_iff. intros [[none some_outside] others_outside].
   apply all_apart_sound in none. split; [now apply never_meet | split].
-  - intros p on_some _. apply (all_outside_sound some); trivial. apply cycles_of_chains.
-  - intros p on_others _. apply (all_outside_sound others); trivial; [apply cycles_of_chains |].
+  - intros p on_some _. apply (all_outside_sound some); trivial. apply region_cycles.
+  - intros p on_others _. apply (all_outside_sound others); trivial; [apply region_cycles |].
     now apply no_common_point_swapped.
 Qed.
 

@@ -108,22 +108,13 @@ Proof.
       by (unfold a, b, dot, minus; cbn [vx vy]; rewrite X, Y; ring).
     rewrite by_t. unfold len, dot, along, minus; cbn [vx vy]. rewrite wx, wy. ring. }
   clearbody a b len.
-  destruct (zero (area s (source t))), (zero (area s (target t))); try discriminate check. cbn [andb] in check.
-  destruct (negative_spec (- a)), (negative_spec (- b)), (negative_spec (a - len)), (negative_spec (b - len));
-    try discriminate check.
-  all: assert (cases : (a <= 0 /\ b <= 0) \/ (len <= a /\ len <= b)) by lra; clear check;
-    destruct cases as [[a_low b_low] | [a_high b_high]].
-  all: try (left; assert (0 <= (1 - k) * - a) by (apply Qmult_le_0_compat; lra);
-    assert (0 <= k * - b) by (apply Qmult_le_0_compat; lra);
-    assert (h == 0) as h_is
-      by (destruct (Qlt_le_dec 0 h) as [h_some |]; [assert (0 < h * len) by (now apply Qmult_lt_0_compat); lra | lra]);
-    rewrite h_is in wx, wy; split; lra).
-  all: right; assert (0 <= (1 - k) * (a - len)) by (apply Qmult_le_0_compat; lra);
-    assert (0 <= k * (b - len)) by (apply Qmult_le_0_compat; lra);
-    assert (h == 1) as h_is
-      by (destruct (Qlt_le_dec h 1) as [h_less |];
-          [assert (0 < (1 - h) * len) by (apply Qmult_lt_0_compat; lra); lra | lra]);
-    rewrite h_is in wx, wy; split; lra.
+  assert (cases : (a <= 0 /\ b <= 0) \/ (len <= a /\ len <= b)).
+  { destruct (zero (area s (source t))), (zero (area s (target t))); try discriminate check. cbn [andb] in check.
+    destruct (negative_spec (- a)), (negative_spec (- b)), (negative_spec (a - len)), (negative_spec (b - len));
+      try discriminate check; lra. }
+  destruct cases as [[a_low b_low] | [a_high b_high]]; [left | right].
+  - assert (h == 0) as h_is by nra. rewrite h_is in wx, wy. split; lra.
+  - assert (h == 1) as h_is by nra. rewrite h_is in wx, wy. split; lra.
 Qed.
 
 Lemma meet_at_ends_is_right (s t : segment) (w : vector) :

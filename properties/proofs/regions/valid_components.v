@@ -51,3 +51,11 @@ Definition valid_components (components : list component) : Prop :=
 Definition region_of (components : list component) : region := flat_map chains_of_component components.
 Definition edges_of_components (components : list component) : list segment :=
   flat_map edges_of_component components.
+
+Lemma chains_of_valid_regions_are_simple (components : list component) (chain : list vector) :
+  valid_components components -> In chain (region_of components) -> simple chain.
+Proof.
+  intros [each _] I. apply in_flat_map in I. destruct I as (c & C & I).
+  destruct (each c C) as (outer_simple & _ & holes_valid & _).
+  destruct I as [<- | I]; [exact outer_simple | now apply holes_valid].
+Qed.

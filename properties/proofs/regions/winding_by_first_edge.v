@@ -40,34 +40,22 @@ Lemma sweep_of_opposites (d u v : vector) (s : summand) :
   nonzero u -> nonzero v -> nonzero d ->
   sweep (Direction d s) (opposite u) (opposite v) = sweep (Direction (opposite d) s) u v.
 Proof.
-  intros nu nv nd.
-  pose proof (opposite_nonzero u nu). pose proof (opposite_nonzero v nv). pose proof (opposite_nonzero d nd).
-  assert (same_turn : forall a b, cross (opposite a) (opposite b) == cross a b)
-    by (intros a b; unfold cross, opposite; cbn [vx vy]; ring).
+  intros nu nv nd. rewrite !sweep_by_sides by (trivial; now apply opposite_nonzero).
   assert (same_left : forall a, left_of_ray s d (opposite a) = left_of_ray s (opposite d) a).
   { intros a. unfold left_of_ray, negative.
     rewrite (compare_as_difference (cross (opposite a) d) 0 (cross a (opposite d)) 0),
       (compare_as_difference (cross d (opposite a)) 0 (cross (opposite d) a) 0);
       [reflexivity | unfold cross, opposite; cbn [vx vy]; ring ..]. }
-  pose proof (same_turn u v). pose proof (same_turn v u). pose proof (cross_reversed u v).
-  unfold sweep. cbn [of].
-  compared_numbers (cross u v ?= 0); compared_numbers (cross (opposite u) (opposite v) ?= 0);
-    try reflexivity; try (exfalso; lra);
-    rewrite !crossed_to_the_left by (trivial; lra); now rewrite !same_left.
+  rewrite !same_left. f_equal. apply compare_as_difference. unfold cross, opposite. cbn [vx vy]. ring.
 Qed.
 
 Lemma seen_towards_is_seen_along (d y : vector) (s : summand) (path : list vector) :
   nonzero d -> (forall a, In a path -> nonzero (minus a y)) ->
   seen_towards d s y path = seen_along (opposite d) s y path.
 Proof.
-  intros nd. induction path as [| a path IH]; intros away; [reflexivity |].
-  destruct path as [| b path]; [reflexivity |].
-  change (seen_towards d s y (a :: b :: path)) with
-    (sweep (Direction d s) (minus y a) (minus y b) + seen_towards d s y (b :: path))%Z.
-  change (seen_along (opposite d) s y (a :: b :: path)) with
-    (sweep (Direction (opposite d) s) (minus a y) (minus b y) + seen_along (opposite d) s y (b :: path))%Z.
-  rewrite IH by (intros c I; apply away; now right). f_equal.
-  rewrite <- sweep_of_opposites by (trivial; apply away; cbn; tauto).
+  intros nd. unfold seen_towards, seen_along.
+  induction path as [| a [| b path] IH]; intros away; [reflexivity .. |]. cbn [map in_succession] in *.
+  rewrite IH, <- sweep_of_opposites by (trivial; intros; apply away; cbn in *; tauto). f_equal.
   apply sweep_of_equal; symmetry; apply opposite_of_minus.
 Qed.
 
@@ -75,17 +63,12 @@ Qed.
 Lemma opposite_not_passed (u v : vector) :
   nonzero u -> nonzero v -> ~ cross u v == 0 -> sweep (Direction (opposite u) OfP) u v = 0%Z.
 Proof.
-  intros nu nv turn. pose proof (opposite_nonzero u nu) as no.
-  pose proof (cross_reversed u v). destruct (opposite_cross u v) as [c _].
-  assert (flip : cross (opposite u) v == - cross u v) by (unfold cross, opposite; cbn [vx vy]; ring).
-  assert (flips : cross (opposite u) (opposite v) == cross u v) by (unfold cross, opposite; cbn [vx vy]; ring).
-  unfold sweep. cbn [of]. compared_numbers (cross u v ?= 0); [reflexivity | |].
-  - assert (positive : 0 < cross v u) by lra. rewrite crossed_to_the_left by assumption.
-    destruct (crossed_between_half_turns OfP (opposite u) v u no positive) as [[after_it _] |]; [| reflexivity].
-    unfold in_half_turn in after_it. exfalso. lra.
-  - rewrite crossed_to_the_left by assumption.
-    destruct (crossed_between_half_turns OfP (opposite u) u v no C) as [[_ after_it] |]; [| reflexivity].
-    unfold in_half_turn in after_it. exfalso. lra.
+  intros nu nv turn. rewrite sweep_by_sides by (trivial; now apply opposite_nonzero).
+  assert (cross (opposite u) u == 0 /\ cross (opposite u) v == - cross u v) as [along beside]
+    by (unfold cross, opposite; cbn [vx vy]; split; ring).
+  unfold ray_crossing, left_of_ray.
+  destruct (negative_spec (cross (opposite u) u)), (negative_spec (cross (opposite u) v)); cbn [negb Bool.eqb]; trivial;
+    compared_numbers (cross u v ?= 0); trivial; exfalso; lra.
 Qed.
 
 (* From one side of u over u to e on the other: u is passed once, counterclockwise if e is to the left. *)
@@ -95,27 +78,10 @@ Lemma passed_by_way_of_itself (u v e : vector) :
   (sweep (Direction u OfP) v u + sweep (Direction u OfP) u e)%Z =
   if negative (cross u e) then (-1)%Z else 1%Z.
 Proof.
-  intros nu nv ne sides. pose proof (square_positive u nu) as square.
-  pose proof (cross_reversed u e) as reversed_e. pose proof (cross_reversed u v) as reversed_v.
-  destruct (opposite_cross u v) as [opposite_v _], (opposite_cross u u) as [opposite_u back].
-  assert (itself : cross u u == 0) by (unfold cross; ring).
-  unfold sweep. cbn [of]. destruct (negative_spec (cross u e)) as [right_turn | left_turn].
-  - compared_numbers (cross v u ?= 0); [lra | | lra].
-    compared_numbers (cross u e ?= 0); [lra | | lra].
-    rewrite !crossed_to_the_left by (trivial; lra).
-    destruct (crossed_between_half_turns OfP u u v nu) as [[wrong _] | _];
-      [lra | unfold in_half_turn in wrong; exfalso; lra |].
-    destruct (crossed_between_half_turns OfP u e u nu) as [_ | wrong]; [lra | reflexivity |].
-    destruct (opposite_cross u e) as [opposite_e _].
-    exfalso. apply wrong. unfold in_half_turn. split; [left; lra | right; split; [lra | exact square]].
-  - compared_numbers (cross v u ?= 0); [lra | lra |].
-    compared_numbers (cross u e ?= 0); [lra | lra |].
-    rewrite !crossed_to_the_left by (trivial; lra).
-    destruct (crossed_between_half_turns OfP u v u nu) as [_ | wrong].
-    + lra.
-    + destruct (crossed_between_half_turns OfP u u e nu) as [[wrong _] | _];
-        [lra | unfold in_half_turn in wrong; exfalso; lra | reflexivity].
-    + exfalso. apply wrong. unfold in_half_turn. split; [left; lra | right; split; [lra | exact square]].
+  intros nu nv ne sides. rewrite !sweep_by_sides by assumption. pose proof (cross_reversed u v).
+  assert (itself : cross u u == 0) by (unfold cross; ring). unfold ray_crossing, left_of_ray.
+  destruct (negative_spec (cross u v)), (negative_spec (cross u u)), (negative_spec (cross u e)); try (exfalso; lra);
+    cbn [negb Bool.eqb]; compared_numbers (cross v u ?= 0); compared_numbers (cross u e ?= 0); trivial; exfalso; lra.
 Qed.
 
 (* The edges of a path that is not closed. *)
@@ -197,6 +163,11 @@ Proof.
   unfold cross at 1 3. rewrite xa, ya, xz, yz. unfold cross. split; ring.
 Qed.
 
+Lemma beside_the_ray : ~ cross u (minus a y) == 0 /\ ~ cross u (minus z y) == 0.
+Proof.
+  destruct crosses_at_y as [-> ->]. split; intros none; destruct (Qmult_integral _ _ none); (contradiction || lra).
+Qed.
+
 (* From x around the chain as much is seen of any direction as from y, but for the two turns from the ray to
    the edge. *)
 Lemma seen_from_x_and_y (d : vector) (s : summand) :
@@ -208,21 +179,14 @@ Proof.
   intros nd. rewrite (winding_is_seen_along d s) by assumption.
   pose proof (strip d s x y z (a :: middle) nd apart_before) as cells. cbv zeta in cells.
   cbn [hd app] in cells.
-  destruct crosses_at_y as [cross_a cross_z]. destruct part_between as [after_z before_a].
-  assert (turn_a : turns u (minus a y)).
-  { apply turns_of_cross. rewrite cross_a. intros none.
-    destruct (Qmult_integral _ _ none); [lra | contradiction]. }
-  assert (turn_z : turns u (minus z y)).
-  { apply turns_of_cross. rewrite cross_z. intros none.
-    destruct (Qmult_integral _ _ none); [lra | contradiction]. }
+  destruct beside_the_ray as [turn_a turn_z]. destruct part_between as [after_z before_a].
   assert (sums : forall b, vx (minus b x) == vx u + vx (minus b y) /\ vy (minus b x) == vy u + vy (minus b y))
     by (intros b; unfold u, minus; cbn [vx vy]; split; ring).
   destruct (sums a) as [xa ya], (sums z) as [xz yz].
-  pose proof (by_way_of_the_sum d u (minus a y) (minus a x) s nd turn_a xa ya) as at_a.
-  pose proof (by_way_of_the_sum d u (minus z y) (minus z x) s nd turn_z xz yz) as at_z.
-  assert (edge_off : turns (minus z x) (minus a x)).
-  { apply (turns_around x (Segment z a)). apply x_off.
-    apply closing_edge_listed. }
+  pose proof (by_way_of_the_sum d u (minus a y) (minus a x) s nd (turns_of_cross _ _ turn_a) xa ya) as at_a.
+  pose proof (by_way_of_the_sum d u (minus z y) (minus z x) s nd (turns_of_cross _ _ turn_z) xz yz) as at_z.
+  assert (edge_off : turns (minus z x) (minus a x))
+    by exact (turns_around x (Segment z a) (x_off _ (closing_edge_listed _ _ _))).
   destruct (turning_is_in_front _ _ edge_off) as (w & front_z & front_a).
   assert (front_y : in_front w u).
   { destruct y_between as [x_is y_is]. unfold in_front, dot, u, minus in *. cbn [vx vy] in *. rewrite x_is, y_is.
@@ -245,27 +209,13 @@ Proof.
   set (w := Vector (vx y + vx u) (vy y + vy u)).
   assert (w_is : equal_vectors (minus w y) u)
     by (unfold equal_vectors, w, minus; cbn [vx vy]; split; ring).
-  assert (a_off : ~ cross u (minus a y) == 0).
-  { rewrite cross_a. intros none. destruct (Qmult_integral _ _ none); [lra | contradiction]. }
-  assert (z_off : ~ cross u (minus z y) == 0).
-  { rewrite cross_z. intros none. destruct (Qmult_integral _ _ none); [lra | contradiction]. }
+  destruct beside_the_ray as [a_off z_off].
   assert (closing_off : off y (edges (a :: (middle ++ [z]) ++ [w]))).
   { intros edge_ I. apply edges_with_one_more in I.
     assert (aside : forall b, ~ cross u (minus b y) == 0 ->
       ~ lies_on y (Segment b w) /\ ~ lies_on y (Segment w b)).
-    { intros b b_off.
-      assert (one_way : ~ lies_on y (Segment b w)).
-      { intros (t & range & x_is & y_is). cbn [source target] in *.
-        assert (x_sum : (1 - t) * (vx b - vx y) + t * vx u == 0) by (unfold w in x_is; cbn [vx] in x_is; lra).
-        assert (y_sum : (1 - t) * (vy b - vy y) + t * vy u == 0) by (unfold w in y_is; cbn [vy] in y_is; lra).
-        assert (none : (1 - t) * cross u (minus b y) == 0).
-        { setoid_replace ((1 - t) * cross u (minus b y)) with (vx u * ((1 - t) * (vy b - vy y) + t * vy u)
-            - vy u * ((1 - t) * (vx b - vx y) + t * vx u)) by (unfold cross, minus; cbn [vx vy]; ring).
-          rewrite x_sum, y_sum. ring. }
-        destruct (Qmult_integral _ _ none) as [t_is | ?]; [| contradiction].
-        rewrite t_is in x_sum, y_sum. apply nu. split; nra. }
-      split; [exact one_way |]. intros (t & range & x_is & y_is). apply one_way.
-      exists (1 - t). cbn [source target] in *. repeat split; lra. }
+    { intros b b_off. split; intros on; apply lies_on_by_signs in on; destruct on as [line _]; apply b_off;
+        revert line; unfold w, cross, minus; cbn [source target vx vy]; lra. }
     destruct I as [I | [-> | ->]]; [now apply y_off | now apply aside | now apply aside]. }
   pose proof (winding_is_seen_along u OfP y a w (middle ++ [z]) nu closing_off) as by_u.
   pose proof (winding_is_seen_along (opposite u) OfP y a w (middle ++ [z]) no closing_off) as by_opposite.
@@ -299,25 +249,18 @@ Proof.
   destruct crosses_at_y as [cross_a cross_z]. destruct part_between as [after_z before_a].
   assert (nz : nonzero (minus z y)) by (apply vertices_off; right; apply in_app_iff; right; now left).
   assert (na : nonzero (minus a y)) by (apply vertices_off; now left).
-  assert (a_off : ~ cross u (minus a y) == 0).
-  { rewrite cross_a. intros none. destruct (Qmult_integral _ _ none); [lra | contradiction]. }
-  assert (z_off : ~ cross u (minus z y) == 0).
-  { rewrite cross_z. intros none. destruct (Qmult_integral _ _ none); [lra | contradiction]. }
+  destruct beside_the_ray as [a_off z_off].
   pose proof (seen_from_x_and_y (opposite u) OfP no) as from_x.
   rewrite !opposite_not_passed in from_x by trivial.
   pose proof (everywhere _ (first_corner y a z middle)) as at_y. cbn [incoming outgoing] in at_y.
   pose proof (chain_turns_as_the_secants_of_a_vertex u OfP y a z middle nu at_y first_free last_free) as whole.
   rewrite (turns_past_every_direction _ (Direction u OfP) everywhere nu) in whole.
   rewrite seen_towards_is_seen_along in whole by assumption.
-  destruct ahead_of_y as [xa ya], behind_y as [xz yz]. cbn [vx vy] in *.
-  rewrite (no_turn_passes_nothing _ (minus y z)), (no_turn_passes_nothing _ (minus z y)) in whole.
-  - pose proof seen_in_opposite_directions. lia.
-  - setoid_replace (cross (minus z y) (minus y a)) with (- cross (minus z y) (minus a y))
-      by (unfold cross, minus; cbn [vx vy]; ring).
-    unfold cross. rewrite xa, ya, xz, yz. ring.
-  - setoid_replace (cross (minus y z) (minus a y)) with (- cross (minus z y) (minus a y))
-      by (unfold cross, minus; cbn [vx vy]; ring).
-    unfold cross. rewrite xa, ya, xz, yz. ring.
+  assert (straight : cross (minus z y) (minus a y) == 0).
+  { destruct ahead_of_y as [xa ya], behind_y as [xz yz]. unfold cross. rewrite xa, ya, xz, yz. cbn [vx vy]. ring. }
+  rewrite (no_turn_passes_nothing _ (minus y z)), (no_turn_passes_nothing _ (minus z y)) in whole
+    by (unfold cross, minus in *; cbn [vx vy] in *; lra).
+  pose proof seen_in_opposite_directions. lia.
 Qed.
 
 End FirstEdge.

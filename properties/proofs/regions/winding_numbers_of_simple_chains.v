@@ -39,11 +39,9 @@ Proof.
     replace (S (length middle + 1) - 1)%nat with (S (length middle)) by lia.
     cbn [nth]. now rewrite app_nth2, Nat.sub_diag by lia. }
   destruct shape as (middle & shape).
-  assert (next_of : forall j, (S j < n)%nat -> next j n = S j)
-    by (intros j J; unfold next; destruct (Nat.eqb_spec (S j) n); lia).
   assert (inner_edge : forall j, (S j < n)%nat ->
     edge_at chain j = Segment (vertex chain j) (vertex chain (S j))).
-  { intros j J. rewrite edge_is by (fold n; lia). fold n. now rewrite next_of. }
+  { intros j J. rewrite edge_is by (fold n; lia). fold n. now rewrite next_below. }
   assert (ray : nonzero (minus y x)).
   { intros [x_none y_none]. apply across. unfold cross. rewrite x_none, y_none. ring. }
   assert (apart_before : apart_from x y chain).
@@ -138,7 +136,7 @@ Proof.
     + now apply off_rotated.
     + intros j J differ. refine (rotate (n - 1)%nat 0%nat chain x y _ _ first_edge j _ differ);
         [now symmetry | fold n; lia | now rewrite rotated_length].
-  - assert (following : next m n = S m) by (unfold next; destruct (Nat.eqb_spec (S m) n); lia).
+  - pose proof (next_below m n M) as following.
     pose proof (next_in_range m n) as in_range.
     apply (IH (rotated chain) x y part); rewrite ?rotated_length; fold n;
       rewrite ?vertex_rotated by (fold n; try apply in_range; lia); fold n; rewrite ?following; trivial.

@@ -75,12 +75,6 @@ Proof.
   - apply winds. rewrite <- same. now apply around_outside.
 Qed.
 
-Lemma cycles_of_chains (chains : list (list vector)) : cycles (flat_map edges chains).
-Proof.
-  induction chains as [| chain rest IH]; [constructor |]. cbn [flat_map].
-  apply cycles_together; [apply closed_chain_cycles | exact IH].
-Qed.
-
 Lemma off_one_of {A : Type} (f : A -> list segment) (l : list A) (a : A) (x : vector) :
   off x (flat_map f l) -> In a l -> off x (f a).
 Proof. intros x_off I s S. apply x_off, in_flat_map. now exists a. Qed.
@@ -144,7 +138,7 @@ Theorem winding_numbers_of_valid_regions (components : list component) (x : vect
 Proof.
   intros [each beside] x_off.
   destruct (at_most_one_part edges_of_component 1 components x) as [none | [once _]]; trivial.
-  - intros c _. apply cycles_of_chains.
+  - intros c _. apply region_cycles.
   - intros c I. apply winding_numbers_of_valid_components; [now apply each |].
     now apply (off_one_of edges_of_component components).
   - now left.

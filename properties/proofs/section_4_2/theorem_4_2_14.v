@@ -59,15 +59,14 @@ Proof.
   unfold turns_by in turn, turn'.
   destruct (zero_spec (cross a b)); [discriminate |]. destruct (zero_spec (cross a' b')); [discriminate |].
   unfold sweep. set (label := other (of d)).
-  assert (same_ccw : ccw d (Direction a label) (Direction b label) = ccw d (Direction a' label) (Direction b' label)).
-  { destruct (ccw_spec d (Direction a label) (Direction b label) proper_d proper_a proper_b),
-      (ccw_spec d (Direction a' label) (Direction b' label) proper_d proper_a' proper_b'); trivial;
-      exfalso; unfold in_order, earlier, place in *; cbn [vec of] in *; clear turn turn'; order. }
-  assert (same_cw : ccw d (Direction b label) (Direction a label) = ccw d (Direction b' label) (Direction a' label)).
-  { destruct (ccw_spec d (Direction b label) (Direction a label) proper_d proper_b proper_a),
-      (ccw_spec d (Direction b' label) (Direction a' label) proper_d proper_b' proper_a'); trivial;
-      exfalso; unfold in_order, earlier, place in *; cbn [vec of] in *; clear turn turn'; order. }
-  rewrite same_ccw, same_cw.
+  assert (same_ccw : forall u v u' v', nonzero u -> nonzero v -> nonzero u' -> nonzero v' ->
+    angle u == angle u' -> angle v == angle v' ->
+    ccw d (Direction u label) (Direction v label) = ccw d (Direction u' label) (Direction v' label)).
+  { clear turn turn'. intros u v u' v' pu pv pu' pv' equal_u equal_v.
+    destruct (ccw_spec d (Direction u label) (Direction v label) proper_d pu pv),
+      (ccw_spec d (Direction u' label) (Direction v' label) proper_d pu' pv'); trivial;
+      exfalso; unfold in_order, earlier, place in *; cbn [vec of] in *; order. }
+  rewrite (same_ccw a b a' b'), (same_ccw b a b' a') by assumption.
   compared_numbers (cross a b ?= 0); compared_numbers (cross a' b' ?= 0); trivial; exfalso; lra.
 Qed.
 
@@ -79,33 +78,13 @@ Lemma sweep_of_opposite (d : vector) (c : corner) :
 Proof.
   intros proper_d bend beside_in beside_out. destruct (bend_is_proper c bend) as [proper_a proper_b].
   destruct c as [a b]. cbn [incoming outgoing opposite_corner] in *.
-  pose proof (opposite_nonzero a proper_a) as proper_a'. pose proof (opposite_nonzero b proper_b) as proper_b'.
-  pose proof (opposite_nonzero d proper_d) as proper_d'.
-  pose proof (opposite_angle a proper_a) as oa. pose proof (opposite_angle b proper_b) as ob.
-  pose proof (opposite_angle d proper_d) as od.
-  assert (da : ~ angle d == angle (opposite a) /\ ~ angle (opposite d) == angle a).
-  { pose proof (cross_angle d a proper_d proper_a) as turn. unfold turns_by in turn. clear ob. split; lra. }
-  assert (db : ~ angle d == angle (opposite b) /\ ~ angle (opposite d) == angle b).
-  { pose proof (cross_angle d b proper_d proper_b) as turn. unfold turns_by in turn. clear oa. split; lra. }
-  pose proof (angle_range a proper_a). pose proof (angle_range b proper_b). pose proof (angle_range d proper_d).
-  pose proof (angle_range _ proper_a'). pose proof (angle_range _ proper_b'). pose proof (angle_range _ proper_d').
-  assert (turned_half : forall u v, nonzero u -> nonzero v -> nonzero (opposite u) -> nonzero (opposite v) ->
-    ~ angle d == angle (opposite u) -> ~ angle (opposite d) == angle u ->
-    ~ angle d == angle (opposite v) -> ~ angle (opposite d) == angle v ->
-    ccw (Direction d OfQ) (Direction (opposite u) OfP) (Direction (opposite v) OfP) =
-    ccw (Direction (opposite d) OfP) (Direction u OfQ) (Direction v OfQ)).
-  { clear - proper_d proper_d' od. intros u v pu pv pu' pv' n1 n2 n3 n4.
-    pose proof (opposite_angle u pu) as ou. pose proof (opposite_angle v pv) as ov.
-    pose proof (angle_range d proper_d) as rd. pose proof (angle_range _ proper_d') as rd'.
-    pose proof (angle_range u pu) as ru. pose proof (angle_range v pv) as rv.
-    pose proof (angle_range _ pu') as ru'. pose proof (angle_range _ pv') as rv'.
-    destruct (ccw_spec (Direction d OfQ) (Direction (opposite u) OfP) (Direction (opposite v) OfP) proper_d pu' pv'),
-      (ccw_spec (Direction (opposite d) OfP) (Direction u OfQ) (Direction v OfQ) proper_d' pu pv); trivial; exfalso;
-      unfold in_order, earlier, place in *; cbn [vec of] in *; destruct od, ou, ov; lra. }
-  unfold sweep. cbn [of other].
-  assert (same_turn : cross (opposite a) (opposite b) == cross a b) by (unfold cross, opposite; cbn; ring).
-  rewrite (compare_as_difference (cross (opposite a) (opposite b)) 0 (cross a b) 0) by lra.
-  rewrite !turned_half by tauto. reflexivity.
+  rewrite !sweep_by_sides by (trivial; now apply opposite_nonzero).
+  assert (same_left : forall v, ~ cross d v == 0 -> left_of_ray OfQ d (opposite v) = left_of_ray OfP (opposite d) v).
+  { intros v beside. assert (cross (opposite v) d == cross d v /\ cross (opposite d) v == - cross d v)
+      by (unfold cross, opposite; cbn [vx vy]; split; ring).
+    unfold left_of_ray.
+    destruct (negative_spec (cross (opposite v) d)), (negative_spec (cross (opposite d) v)); trivial; exfalso; lra. }
+  rewrite !same_left by assumption. f_equal. apply compare_as_difference. unfold cross, opposite. cbn [vx vy]. ring.
 Qed.
 
 (* The weight of two edges that cross, times the winding number by the boundary of their sum, says whether the
@@ -205,15 +184,6 @@ Lemma sum_over_bends (d : vector) (l : list corner) : sum_of (sweep_at d) (filte
 Proof.
   rewrite sum_of_filter. apply sum_equally. intros c _. destruct (bends c) eqn:bend; cbn [Z.b2z]; [lia |].
   unfold sweep_at. rewrite no_sweep by exact bend. lia.
-Qed.
-
-(* Some direction is that of none of finitely many vectors, nor opposite. *)
-Lemma direction_beside (l : list vector) : (forall v, In v l -> nonzero v) ->
-  exists d, nonzero d /\ forall v, In v l -> ~ cross d v == 0.
-Proof.
-  intros proper_l.
-  destruct (direction_avoiding l (Vector 1 0) (Vector 0 1) proper_l) as (t & range & beside); [unfold cross; cbn; lra |].
-  exists (Vector (1 + t * (0 - 1)) (0 + t * (1 - 0))). split; [unfold nonzero; cbn; lra | exact beside].
 Qed.
 
 Section OneDirection.

@@ -1,7 +1,6 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Two sets of closed chains that have no point in common, and no vertex of either inside the other, have
-   no interior in common: the last step of the proof of Theorem 4.2.1 in docs/winding.md. Of all segments
-   that the ray from a point inside both meets, the first is met at a point inside the other chains. *)
+(* The segments that the ray to the right of a point meets, by their heights, and the first of them; and chains that
+   have no point in common with others, along which the winding number by these is the same. *)
 From Coq Require Import ZArith Lia Bool List.
 From Oplus Require Import numbers winding signed_crossings meeting_of_segments.
 Import ListNotations.
@@ -145,69 +144,6 @@ Proof.
   now apply (part_of_segment w v s).
 Qed.
 
-Lemma segments_outside (some others : list segment) :
-  cycles others -> have_no_common_point some others -> vertices_outside some others ->
-  forall s w, In s some -> lies_on w s -> winding_number w others = 0%Z.
-Proof.
-  intros closed separate outside s w I on. rewrite <- (outside s I).
-  now apply (same_up_to_the_end some others s w).
-Qed.
-
-(* At the first segment that the ray meets, the winding number with respect to the others is still the same. *)
-Lemma same_at_the_first_hit (z : vector) (s : segment) (some others : list segment) :
-  have_no_common_point some others -> In s some -> signed_crossing z s <> 0%Z ->
-  (forall t, In t others -> signed_crossing z t <> 0%Z ->
-     vx (point_at_height s (vy z)) <= vx (point_at_height t (vy z))) ->
-  winding_number (point_at_height s (vy z)) others = winding_number z others.
-Proof.
-  intros separate I met first. unfold winding_number. f_equal. apply map_ext_in. intros t J.
-  specialize (first t J).
-  pose proof (crossed_ahead z s met) as on_s.
-  rewrite !signed_crossing_by_height. rewrite signed_crossing_by_height in first.
-  change (vy (point_at_height s (vy z))) with (vy z).
-  destruct (spans t (vy z)) eqn:spanning; [| reflexivity]. cbn [andb] in *.
-  set (y := vy z) in *.
-  assert (not_here : ~ vx (point_at_height s y) == vx (point_at_height t y)).
-  { intros equal. apply (separate s t (point_at_height s y) I J).
-    - apply point_at_height_lies_on. tauto.
-    - destruct (point_at_height_lies_on t y spanning) as (r & range & X & Y).
-      exists r. split; [exact range |]. rewrite equal. now split. }
-  destruct (negative_spec (vx z - vx (point_at_height t y))) as [L | L],
-    (negative_spec (vx (point_at_height s y) - vx (point_at_height t y))) as [M | M];
-    try reflexivity; exfalso.
-  - assert (vx (point_at_height s y) <= vx (point_at_height t y))
-      by (apply first; destruct (at_most (vy (source t)) y); discriminate). lra.
-  - lra.
-Qed.
-
-Lemma first_hit_of_some (z : vector) (s : segment) (some others : list segment) :
-  cycles others -> have_no_common_point some others -> vertices_outside some others ->
-  In s some -> signed_crossing z s <> 0%Z ->
-  (forall t, In t others -> signed_crossing z t <> 0%Z ->
-     vx (point_at_height s (vy z)) <= vx (point_at_height t (vy z))) ->
-  winding_number z others = 0%Z.
-Proof.
-  intros closed separate outside I met first.
-  rewrite <- (same_at_the_first_hit z s some others separate I met first).
-  apply (segments_outside some others closed separate outside s); [exact I |].
-  now apply point_at_height_lies_on, crossed_ahead.
-Qed.
-
-(* Theorem. If closed chains have no point in common with others, and no vertex of either has a winding number
-   other than zero with respect to the other, then no point at all has winding numbers other than zero with
-   respect to both. *)
-Theorem apart_means_no_common_interior (some others : list segment) (z : vector) :
-  cycles some -> cycles others -> have_no_common_point some others ->
-  vertices_outside some others -> vertices_outside others some ->
-  winding_number z some = 0%Z \/ winding_number z others = 0%Z.
-Proof.
-  intros closed closed_others separate outside others_outside.
-  destruct (first_crossed z (some ++ others)) as [none | (s & I & met & first_of_all)].
-  - left. apply sum_of_zeros. intros s I. apply none, in_app_iff. now left.
-  - apply in_app_iff in I. destruct I as [I | I].
-    + right. apply (first_hit_of_some z s some others); trivial.
-      intros t J. apply first_of_all. apply in_app_iff. now right.
-    + left. apply (first_hit_of_some z s others some); trivial.
-      * intros t u w J K on on_u. exact (separate u t w K J on_u on).
-      * intros t J. apply first_of_all. apply in_app_iff. now left.
-Qed.
+Lemma no_common_point_swapped some others :
+  have_no_common_point some others -> have_no_common_point others some.
+Proof. intros none s o z S O on_s on_o. exact (none o s z O S on_o on_s). Qed.

@@ -2,11 +2,12 @@
 (* Theorem 4.2.1, second half: where the interiors of P and -Q + x meet, the winding number of the convolution at x
    is positive. From the identity of tangent_count.v: if the winding number is zero, all its terms are, in
    every direction; so no edges cross (crossing_edges.v), no vertex of one is inside the other
-   (tangent_direction.v), and nothing is inside both (first_hit.v). *)
+   (tangent_direction.v), and nothing is inside both (winding_numbers_of_valid_regions.v). *)
 From Coq Require Import PeanoNat ZArith Lia Bool List.
 From Oplus Require Import numbers convolution shifted_ray signed_crossings small_numbers tie_rule convolution_winding
   finite_sums weight regions parallelogram tangent_count beside_every_point winding_number_of_the_sum
-  meeting_of_segments first_hit reflected tangent_direction crossing_edges.
+  meeting_of_segments first_hit reflected tangent_direction crossing_edges valid_components
+  winding_numbers_of_valid_regions.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -45,9 +46,7 @@ Proof.
   intros closed separate i. induction i as [| i IH]; intros I; [reflexivity |].
   assert (J : (i < length chain)%nat) by lia. rewrite <- (IH J). clear IH.
   pose proof (edge_by_index chain i J) as edge.
-  assert (next i (length chain) = S i) as next_is
-    by (unfold next; destruct (Nat.eqb_spec (S i) (length chain)); lia).
-  rewrite next_is in edge. symmetry.
+  rewrite next_below in edge by exact I. symmetry.
   apply (winding_number_along (Segment (nth i chain nowhere) (nth (S i) chain nowhere)) others closed).
   intros w on t K on_t. refine (separate _ t w _ K on on_t). rewrite <- edge. apply nth_In.
   now rewrite edges_are_as_many.
@@ -85,6 +84,22 @@ Proof.
   apply nth_In. rewrite combine_length, corners_length. lia.
 Qed.
 
+(* If no vertex with a direction in its tangent set is inside the other region, each chain has one that is not. *)
+Lemma some_vertex_outside (label : summand) (r other_region : region) (x : vector) :
+  no_edges_are_points r -> nowhere_negative other_region ->
+  (forall d, nonzero d -> sum_of (fun v => if_tangent (Direction d label) (snd v) *
+     winding_number (minus x (fst v)) (region_edges other_region))%Z (region_vertices r) = 0%Z) ->
+  forall chain, In chain r -> chain <> [] -> exists i, (i < length chain)%nat /\
+    winding_number (minus x (nth i chain nowhere)) (region_edges other_region) = 0%Z.
+Proof.
+  intros not_points valid zero_ chain I some.
+  destruct (some_tangent_set_is_not_empty chain (not_points chain I) some) as (i & d & below & proper_d & tangent).
+  exists i. split; [exact below |].
+  pose proof (zero_sum _ _ _ (no_vertex_is_negative (Direction d label) other_region x _ valid) (zero_ d proper_d) _
+    (vertex_of_region chain r i I below)) as term.
+  cbn [fst snd] in term. unfold if_tangent in term. rewrite tangent in term. cbn [Z.b2z] in term. lia.
+Qed.
+
 Lemma apart_other_way (x : vector) (p q : region) :
   have_no_common_point (region_edges p) (map (reflected x) (region_edges q)) ->
   have_no_common_point (region_edges q) (map (reflected x) (region_edges p)).
@@ -98,6 +113,23 @@ Qed.
 Lemma off_vertex_edge_sum_other_way (x : vector) (p q : region) :
   off_vertex_edge_sum x p q -> off_vertex_edge_sum x q p.
 Proof. intros general f e F E. pose proof (general e f E F). unfold not_sum_of_an_end in *. tauto. Qed.
+
+(* If closed chains have no point in common with others, and no vertex of either has a winding number other than zero
+   with respect to the other, then no point at all has winding numbers other than zero with respect to both. *)
+Lemma apart_means_no_common_interior (some others : list segment) (z : vector) :
+  cycles some -> cycles others -> have_no_common_point some others ->
+  vertices_outside some others -> vertices_outside others some ->
+  winding_number z some = 0%Z \/ winding_number z others = 0%Z.
+Proof.
+  intros closed closed_others separate outside others_outside.
+  pose proof (no_common_point_swapped _ _ separate) as swapped.
+  destruct (some_small _ (eventually_and _ _ (eventually_and _ _ (shifted_off_all z some) (shifted_off_all z others))
+    (eventually_and _ _ (same_beside z some) (same_beside z others)))) as (e & _ & (off_some & off_others) & <- & <-).
+  apply not_inside_both; trivial. split; [| split].
+  - intros p (s & S & on_s) (t & T & on_t). destruct (separate s t p S T on_s on_t).
+  - intros p (s & S & on_s) free. split; [exact free |]. rewrite (same_up_to_the_end some others s p); auto.
+  - intros p (s & S & on_s) free. split; [exact free |]. rewrite (same_up_to_the_end others some s p); auto.
+Qed.
 
 Section NoCommonInterior.
   Variables p q : region.
@@ -121,28 +153,14 @@ Section NoCommonInterior.
   Lemma no_vertex_of_p_inside (chain : list vector) : In chain p -> chain <> [] ->
     exists i, (i < length chain)%nat /\
       winding_number (minus x (nth i chain nowhere)) (region_edges q) = 0%Z.
-  Proof.
-    intros I some.
-    destruct (some_tangent_set_is_not_empty chain (p_edges chain I) some) as (i & d & below & proper_d & tangent).
-    exists i. split; [exact below |].
-    destruct (all_terms_are_zero d proper_d) as (zero_ & _ & _).
-    pose proof (zero_sum _ _ _ (no_vertex_of_p_is_negative p q d x q_valid) zero_ _
-                  (vertex_of_region chain p i I below)) as term.
-    cbn [fst snd] in term. unfold if_tangent in term. rewrite tangent in term. cbn [Z.b2z] in term. lia.
-  Qed.
+  Proof. apply (some_vertex_outside OfQ p q x p_edges q_valid). intros d D. now apply all_terms_are_zero. Qed.
 
   Lemma no_vertex_of_q_inside (chain : list vector) : In chain q -> chain <> [] ->
     exists i, (i < length chain)%nat /\
       winding_number (minus x (nth i chain nowhere)) (region_edges p) = 0%Z.
   Proof.
-    intros I some.
-    destruct (some_tangent_set_is_not_empty chain (q_edges chain I) some) as (i & d & below & proper_d & tangent).
-    exists i. split; [exact below |].
-    destruct (all_terms_are_zero (opposite d) (opposite_nonzero d proper_d)) as (_ & zero_ & _).
-    pose proof (zero_sum _ _ _ (no_vertex_of_q_is_negative p q (opposite d) x p_valid) zero_ _
-                  (vertex_of_region chain q i I below)) as term.
-    cbn [fst snd] in term. unfold if_tangent in term. rewrite opposite_twice, tangent in term.
-    cbn [Z.b2z] in term. lia.
+    apply (some_vertex_outside OfP q p x q_edges p_valid). intros d D.
+    rewrite <- (opposite_twice d). now apply all_terms_are_zero, opposite_nonzero.
   Qed.
 
   Lemma no_edges_cross (e f : segment) :
@@ -210,9 +228,7 @@ Qed.
 
 Lemma off_equal (a b : vector) (segments : list segment) :
   equal_vectors a b -> off a segments -> off b segments.
-Proof.
-  intros [X Y] free s I (t & range & on_x & on_y). apply (free s I). exists t. rewrite X, Y. tauto.
-Qed.
+Proof. intros equal free s I on. apply (free s I). now apply (lies_on_equal b); [symmetry |]. Qed.
 
 Lemma shifted_minus (x v : vector) (e : Q) :
   equal_vectors (moved (shifted (minus x v)) e) (minus (moved (shifted x) e) v).

@@ -54,29 +54,17 @@ Proof.
 Qed.
 
 Lemma parallelogram_by_signs (u v k b c d : Q) :
-  0 < d -> d * k == c * u + b * v ->
+  0 <= d -> d * k == c * u + b * v ->
   four_crossings u v k b c d = 0%Z \/
-  (four_crossings u v k b c d = 1%Z /\ 0 <= b <= d /\ 0 <= c <= d).
+  (four_crossings u v k b c d = 1%Z /\ 0 < d /\ 0 <= b <= d /\ 0 <= c <= d).
 Proof.
   intros positive height. unfold four_crossings, ray_crossing.
   destruct (at_most_spec 0 k), (at_most_spec u k), (at_most_spec (u + v) k), (at_most_spec v k);
     cbn [Bool.eqb Z.add]; try (left; reflexivity); try (exfalso; lra);
     compared_numbers (b ?= 0); compared_numbers (c ?= 0);
-    compared_numbers (d - b ?= 0); compared_numbers (d - c ?= 0); cbn [Z.add];
+    compared_numbers (d - b ?= 0); compared_numbers (d - c ?= 0); cbn [Z.add Z.opp];
     try (left; reflexivity); try (exfalso; lra);
     try (right; split; [reflexivity |]; repeat split; lra).
-  all: exfalso; nra.
-Qed.
-
-Lemma degenerate_parallelogram (u v k b c d : Q) :
-  d == 0 -> d * k == c * u + b * v -> four_crossings u v k b c d = 0%Z.
-Proof.
-  intros degenerate height. unfold four_crossings, ray_crossing.
-  destruct (at_most_spec 0 k), (at_most_spec u k), (at_most_spec (u + v) k), (at_most_spec v k);
-    cbn [Bool.eqb Z.add]; try reflexivity; try (exfalso; lra);
-    compared_numbers (b ?= 0); compared_numbers (c ?= 0);
-    compared_numbers (d - b ?= 0); compared_numbers (d - c ?= 0); cbn [Z.add Z.opp];
-    try reflexivity; try (exfalso; lra).
   all: exfalso; nra.
 Qed.
 
@@ -129,16 +117,15 @@ Proof.
   set (d := cross (along e) (along f)). set (b := cross (along e) z). set (c := cross z (along f)).
   assert (height : d * vy z == c * vy (along e) + b * vy (along f))
     by (unfold d, b, c, cross; ring).
-  destruct (Q_dec d 0) as [[negative_turn | positive_turn] | no_turn].
+  destruct (Qlt_le_dec d 0) as [negative_turn | no_negative_turn].
   - destruct (parallelogram_by_signs (vy (along f)) (vy (along e)) (vy z) (- c) (- b) (- d))
-      as [zero_ | (one & range_c & range_b)]; [lra | lra | |]; rewrite other_way_round in *; [left; lia |].
+      as [zero_ | (one & _ & range_c & range_b)]; [lra | lra | |]; rewrite other_way_round in *; [left; lia |].
     right. split; [right; split; [lia | exact negative_turn] |].
     apply sum_by_skew_products; fold z; fold d; fold b; fold c; [lra | |].
     + setoid_replace (c / d) with (- c / - d) by (field; lra). apply quotient_in_range; lra.
     + setoid_replace (b / d) with (- b / - d) by (field; lra). apply quotient_in_range; lra.
-  - destruct (parallelogram_by_signs (vy (along e)) (vy (along f)) (vy z) b c d positive_turn height)
-      as [zero_ | (one & range_b & range_c)]; [now left |].
+  - destruct (parallelogram_by_signs (vy (along e)) (vy (along f)) (vy z) b c d no_negative_turn height)
+      as [zero_ | (one & positive_turn & range_b & range_c)]; [now left |].
     right. split; [left; split; [exact one | exact positive_turn] |].
     apply sum_by_skew_products; fold z; fold d; fold b; fold c; [lra | |]; now apply quotient_in_range.
-  - left. now apply degenerate_parallelogram.
 Qed.

@@ -28,6 +28,15 @@ Proof.
     [split; lia | specialize (left_turn sign) | specialize (right_turn sign)]; (split; [lia | trivial]).
 Qed.
 
+(* Nor is what a vertex counts. *)
+Lemma no_vertex_is_negative (d : direction) (r : region) (x : vector) (vertices : list (vector * corner)) :
+  nowhere_negative r ->
+  forall v, In v vertices -> 0 <= if_tangent d (snd v) * winding_number (minus x (fst v)) (region_edges r).
+Proof.
+  intros valid v _. pose proof (nowhere_negative_everywhere r valid (minus x (fst v))).
+  unfold if_tangent. destruct (in_tangent_set _ _); cbn [Z.b2z]; lia.
+Qed.
+
 Section Regions.
   Variables p q : region.
   Variables d x : vector.
@@ -36,20 +45,6 @@ Section Regions.
   Hypothesis p_valid : nowhere_negative p.
   Hypothesis q_valid : nowhere_negative q.
   Hypothesis proper_d : nonzero d.
-
-  Lemma no_vertex_of_p_is_negative : forall v, In v (region_vertices p) ->
-    0 <= if_tangent (Direction d OfQ) (snd v) * winding_number (minus x (fst v)) (region_edges q).
-  Proof.
-    intros v _. pose proof (nowhere_negative_everywhere q q_valid (minus x (fst v))).
-    unfold if_tangent. destruct (in_tangent_set _ _); cbn [Z.b2z]; lia.
-  Qed.
-
-  Lemma no_vertex_of_q_is_negative : forall v, In v (region_vertices q) ->
-    0 <= if_tangent (Direction (opposite d) OfP) (snd v) * winding_number (minus x (fst v)) (region_edges p).
-  Proof.
-    intros v _. pose proof (nowhere_negative_everywhere p p_valid (minus x (fst v))).
-    unfold if_tangent. destruct (in_tangent_set _ _); cbn [Z.b2z]; lia.
-  Qed.
 
   Lemma no_pair_of_edges_is_negative : forall pair, In pair (list_prod (region_edges p) (region_edges q)) ->
     0 <= weight d (along (fst pair)) (along (snd pair)) *
@@ -68,8 +63,8 @@ Section Regions.
     0 <= tangent_crossings d x (region_edges p) (region_edges q).
   Proof.
     split; [| split]; apply sum_is_not_negative.
-    - exact no_vertex_of_p_is_negative.
-    - exact no_vertex_of_q_is_negative.
+    - now apply no_vertex_is_negative.
+    - now apply no_vertex_is_negative.
     - exact no_pair_of_edges_is_negative.
   Qed.
 

@@ -56,12 +56,7 @@ Ltac compared_numbers c :=
   [ apply equal_comparison in E | apply less_comparison in E | apply greater_comparison in E ].
 
 Lemma compare_as_difference : forall x y z t, y - x == t - z -> (x ?= y) = (z ?= t).
-Proof.
-  intros x y z t E. compared_numbers (z ?= t).
-  - apply (proj1 (Qeq_alt _ _)); lra.
-  - apply (proj1 (Qlt_alt _ _)); lra.
-  - apply (proj1 (Qgt_alt _ _)); lra.
-Qed.
+Proof. intros x y z t E. destruct (Qcompare_spec x y), (Qcompare_spec z t); trivial; exfalso; lra. Qed.
 
 (* On which side of the ray from the origin along d a point is, strictly to its left or not; the ray
    is turned by an infinitesimal: counterclockwise if `side` is OfQ, so that points on it are not to
@@ -124,21 +119,18 @@ Proof.
   pose proof (cross_angle u v U V) as T. unfold turns_by in T.
   assert (of_d : forall w, of (Direction w (other s)) <> of (Direction d s))
     by (intros w; destruct s; discriminate).
-  assert (apart : ~ cross u v == 0 -> forall t, compare (Direction u t) (Direction v t) <> Eq /\
-                                                compare (Direction v t) (Direction u t) <> Eq).
-  { intros C t. split; intros E; unfold compare in E; cbn in E;
-      [ pose proof (compare_angle_is u v U V) as I | pose proof (compare_angle_is v u V U) as I ];
-      rewrite I in E;
-      [ destruct (angle u ?= angle v) eqn:F | destruct (angle v ?= angle u) eqn:F ];
-      try (destruct t; discriminate); apply equal_comparison in F; lra. }
+  assert (apart : forall a b t, nonzero a -> nonzero b -> ~ angle a == angle b ->
+    compare (Direction a t) (Direction b t) <> Eq).
+  { intros a b t A B C. compared (Direction a t) (Direction b t); [| discriminate ..].
+    exfalso. unfold equal in *. cbn [vec] in *. lra. }
   compared_numbers (cross u v ?= 0).
   - assert (F : angle u == angle v) by (specialize (N C); lra).
     destruct (before_spec (Direction u (other s)) (Direction d s) U D),
       (before_spec (Direction v (other s)) (Direction d s) V D); try reflexivity;
       exfalso; unfold earlier in *; cbn [vec] in *; unfold place in *; cbn [of] in *; lra.
-  - rewrite ccw_as_difference; auto; [| apply apart; lra].
+  - rewrite ccw_as_difference; auto; [| apply apart; trivial; lra].
     rewrite (before_of_one_summand u v OfP (other s)). lia.
-  - rewrite ccw_as_difference; auto; [| apply apart; lra].
+  - rewrite ccw_as_difference; auto; [| apply apart; trivial; lra].
     rewrite (before_of_one_summand v u OfP (other s)). lia.
 Qed.
 
@@ -179,12 +171,13 @@ Proof.
   lia.
 Qed.
 
-Lemma compare_angle_of_equal : forall u v w,
-  equal_vectors u v -> compare_angle u w = compare_angle v w.
+Lemma compare_angle_of_equal : forall u u' v v',
+  equal_vectors u u' -> equal_vectors v v' -> compare_angle u v = compare_angle u' v'.
 Proof.
-  intros u v w [X Y]. unfold compare_angle.
-  replace (half u) with (half v) by (unfold half, negative, zero; rewrite X, Y; reflexivity).
-  destruct (half v), (half w); try reflexivity; rewrite X, Y; reflexivity.
+  assert (halves : forall u v, equal_vectors u v -> half u = half v)
+    by (intros u v [X Y]; unfold half, negative, zero; rewrite X, Y; reflexivity).
+  intros u u' v v' U V. unfold compare_angle. rewrite (halves u u' U), (halves v v' V).
+  destruct U as [X Y], V as [X' Y'], (half u'), (half v'); trivial; now rewrite X, Y, X', Y'.
 Qed.
 
 Lemma sweeps_are_axis : forall pairs d,
@@ -194,7 +187,7 @@ Lemma sweeps_are_axis : forall pairs d,
 Proof.
   intros pairs d C T D. apply closed_total with (f := fun u => is_before u d); cbn; [| assumption |].
   - intros u v E. unfold is_before, before, compare; cbn.
-    rewrite (compare_angle_of_equal u v (vec d) E). reflexivity.
+    now rewrite (compare_angle_of_equal u v (vec d) (vec d) E (reflexivity _)).
   - intros u v I. apply sweep_as_difference; auto.
 Qed.
 

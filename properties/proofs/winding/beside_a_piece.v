@@ -4,85 +4,26 @@
    is along edges of regions that meet others at their ends only (right_of_an_edge.v). *)
 From Coq Require Import ZArith Lia Bool List.
 From Oplus Require Import numbers winding small_numbers shifted_ray signed_crossings tie_rule meeting_of_segments
-  neighbourhoods.
+  secants segments_apart neighbourhoods.
 Import ListNotations.
 
 Open Scope Q_scope.
 
-(* Where a segment is as seen along another from w1 to w2: ahead, and to the side. *)
-Definition ahead_of (w1 w2 p : vector) : Q := dot (minus w2 w1) (minus p w1).
-
-Definition shifted_right (w1 w2 : vector) (e : Q) (p : vector) : vector :=
-  moved_along p (Vector (vy (minus w2 w1)) (- vx (minus w2 w1))) e.
-
-Lemma on_segment_by_coordinates (w1 w2 p : vector) :
-  let len := dot (minus w2 w1) (minus w2 w1) in
-  0 < len -> area (Segment w1 w2) p == 0 -> 0 <= ahead_of w1 w2 p <= len -> lies_on p (Segment w1 w2).
-Proof.
-  intros len some line range.
-  assert (value : ahead_of w1 w2 p / len * len == ahead_of w1 w2 p) by (field; lra).
-  exists (ahead_of w1 w2 p / len). split; [split; [apply Qle_shift_div_l; lra | apply Qle_shift_div_r; lra] |].
-  set (t := ahead_of w1 w2 p / len) in *. clearbody t. unfold ahead_of, len in *. in_coordinates.
-  split; apply (Qmult_inj_l _ _ _ (Qnot_eq_sym _ _ (Qlt_not_eq _ _ some))); by_equations.
-Qed.
-
-(* A linear change that is small does not reach zero. *)
-Lemma eventually_positive (a b : Q) : 0 < a -> eventually (fun e => 0 < a + e * b).
-Proof.
-  intros some. refine (eventually_implied _ _ _ (small_steps_stay_within a (Vector 0 0) (Vector b 0) some)).
-  intros e. unfold within, moved_along. cbn [vx vy]. lra.
-Qed.
-
-(* A segment that does not meet another does not meet it either when that is shifted a little. Where on its line the one
-   and on its line the other would meet changes linearly, and without the shift one of the two is beyond an end. *)
-Lemma shifted_segments_do_not_meet (w1 w2 : vector) (t : segment) :
+(* A segment that does not meet another does not meet it either when that is shifted a little: all of it stays on one
+   side of a line. *)
+Lemma shifted_segments_do_not_meet (w1 w2 n : vector) (t : segment) :
   nonzero (minus w2 w1) -> (forall p, lies_on p (Segment w1 w2) -> ~ lies_on p t) ->
-  eventually (fun e => forall p,
-    lies_on p (Segment (shifted_right w1 w2 e w1) (shifted_right w1 w2 e w2)) -> ~ lies_on p t).
+  eventually (fun e => forall p, lies_on p (Segment (moved_along w1 n e) (moved_along w2 n e)) -> ~ lies_on p t).
 Proof.
-  intros moves apart_. destruct t as [t0 t1]. pose proof (square_positive _ moves) as some.
-  set (len := dot (minus w2 w1) (minus w2 w1)) in *.
-  set (A := area (Segment w1 w2) t0). set (B := area (Segment w1 w2) t1).
-  set (G := ahead_of w1 w2 t0). set (H := ahead_of w1 w2 t1).
-  assert (common : forall e p,
-    lies_on p (Segment (shifted_right w1 w2 e w1) (shifted_right w1 w2 e w2)) -> lies_on p (Segment t0 t1) ->
-    exists k, 0 <= k <= 1 /\ (1 - k) * A + k * B == - (e * len) /\ 0 <= (1 - k) * G + k * H <= len).
-  { intros e p (h & h_range & px & py) (k & k_range & qx & qy). exists k. split; [exact k_range |].
-    unfold shifted_right in px, py. assert (along_s : (1 - k) * G + k * H == h * len)
-      by (unfold len, G, H, ahead_of in *; in_coordinates; by_equations).
-    rewrite along_s. split; [unfold len, A, B in *; in_coordinates; by_equations | nra]. }
-  assert (by_numbers : forall a b : Q, 0 < a -> (forall e k, 0 < e -> (1 - k) * A + k * B == - (e * len) ->
-      0 <= k <= 1 -> 0 <= (1 - k) * G + k * H <= len -> a + e * b <= 0) ->
-    eventually (fun e => forall p, lies_on p (Segment (shifted_right w1 w2 e w1) (shifted_right w1 w2 e w2)) ->
-      ~ lies_on p (Segment t0 t1))).
-  { intros a b a_some never.
-    refine (eventually_implied _ _ _ (eventually_and _ _ (eventually_positive a b a_some) (eventually_below 1 _)));
-      [| lra].
-    intros e [positive_ [e_some _]] p on_s on_t. destruct (common e p on_s on_t) as (k & k_range & side_ & range).
-    pose proof (never e k e_some side_ k_range range). lra. }
-  destruct (Qeq_dec A B) as [parallel | turn].
-  - destruct (Qlt_le_dec A 0) as [a | a]; [apply (by_numbers (- A) (- len)) | apply (by_numbers 1 0)]; try lra;
-      intros e k e_some side_ _ _; rewrite <- parallel in side_; [lra | exfalso; nra].
-  - assert (apart_ends : ~ A - B == 0) by lra. set (k0 := A / (A - B)). set (k1 := len / (A - B)).
-    assert (k0_is : k0 * (A - B) == A) by (unfold k0; field; exact apart_ends).
-    assert (k1_is : k1 * (A - B) == len) by (unfold k1; field; exact apart_ends). clearbody k0 k1.
-    assert (k_is : forall e k, (1 - k) * A + k * B == - (e * len) -> k == k0 + e * k1).
-    { intros e k side_. apply (Qmult_inj_r _ _ _ apart_ends). clear - k0_is k1_is side_. by_equations. }
-    destruct (Qlt_le_dec k0 0) as [low |]; [| destruct (Qlt_le_dec 1 k0) as [high |];
-      [| destruct (Qlt_le_dec (G + k0 * (H - G)) 0) as [behind |];
-         [| destruct (Qlt_le_dec len (G + k0 * (H - G))) as [beyond |]]]].
-    + apply (by_numbers (- k0) (- k1)); [lra |]. intros e k _ side_ range _. pose proof (k_is e k side_). lra.
-    + apply (by_numbers (k0 - 1) k1); [lra |]. intros e k _ side_ range _. pose proof (k_is e k side_). lra.
-    + apply (by_numbers (- (G + k0 * (H - G))) (- (k1 * (H - G)))); [lra |]. intros e k _ side_ _ range.
-      rewrite (k_is e k side_) in range. lra.
-    + apply (by_numbers (G + k0 * (H - G) - len) (k1 * (H - G))); [lra |]. intros e k _ side_ _ range.
-      rewrite (k_is e k side_) in range. lra.
-    + exfalso. apply (apart_ (Vector ((1 - k0) * vx t0 + k0 * vx t1) ((1 - k0) * vy t0 + k0 * vy t1))).
-      * apply on_segment_by_coordinates; [exact some | |].
-        -- unfold A, B in k0_is. in_coordinates. by_equations.
-        -- setoid_replace (ahead_of w1 w2 (Vector ((1 - k0) * vx t0 + k0 * vx t1) ((1 - k0) * vy t0 + k0 * vy t1)))
-             with (G + k0 * (H - G)) by (unfold G, H, ahead_of; in_coordinates; ring). now split.
-      * exists k0. split; [now split |]. split; reflexivity.
+  intros moves none. destruct t as [t0 t1].
+  destruct (are_apart_decides w1 w2 t0 t1 moves) as [[found | (p & on & on_t)] _]; [| now destruct (none p on)].
+  destruct (are_apart_sound _ _ _ _ found) as (w & f1 & f2 & f3 & f4).
+  assert (near : forall a b, in_front w (minus b a) -> eventually (fun e => in_front w (minus b (moved_along a n e)))).
+  { intros a b front. refine (eventually_implied _ _ _ (eventually_positive _ (- dot w n) front)).
+    intros e. unfold in_front, dot, minus, moved_along. cbn [vx vy]. lra. }
+  refine (eventually_implied _ _ _ (eventually_and _ _ (eventually_and _ _ (near _ _ f1) (near _ _ f2))
+    (eventually_and _ _ (near _ _ f3) (near _ _ f4)))).
+  intros e [[g1 g2] [g3 g4]] p. apply apart_have_no_common_point. now exists w.
 Qed.
 
 Definition point_at (s : segment) (k : Q) : vector :=
@@ -162,14 +103,13 @@ Section OnePiece.
     { intros p (h & range & px & py). exists ((1 - h) * k1 + h * k2). unfold w1, w2, point_at in *. cbn in px, py.
       split; [split; [apply mixed_is_more | apply mixed_is_less]; lra |]. rewrite px, py. split; ring. }
     assert (others_apart : eventually (fun e => forall t, In t segments -> ~ collinear s t ->
-      forall p, lies_on p (Segment (shifted_right w1 w2 e w1) (shifted_right w1 w2 e w2)) -> ~ lies_on p t)).
+      forall p, lies_on p (Segment (moved_along w1 n e) (moved_along w2 n e)) -> ~ lies_on p t)).
     { apply (eventually_for_all (fun t e => ~ collinear s t -> forall p,
-        lies_on p (Segment (shifted_right w1 w2 e w1) (shifted_right w1 w2 e w2)) -> ~ lies_on p t)).
-      intros t J. destruct (collinear_dec s t) as [along_s | across].
-      - exists 1. split; [lra |]. contradiction.
-      - refine (eventually_implied _ _ _ (shifted_segments_do_not_meet w1 w2 t moves _)); [intros e apart_ _;
-          exact apart_ |].
-        intros p on on_t. exact (across (along_only p t (inside_ p on) J on_t)). }
+        lies_on p (Segment (moved_along w1 n e) (moved_along w2 n e)) -> ~ lies_on p t)).
+      intros t J. destruct (collinear_dec s t) as [along_s | across]; [exists 1; split; [lra | contradiction] |].
+      refine (eventually_implied _ _ _ (shifted_segments_do_not_meet w1 w2 n t moves _)); [intros e apart_ _;
+        exact apart_ |].
+      intros p on on_t. exact (across (along_only p t (inside_ p on) J on_t)). }
     destruct (some_small _ (eventually_and _ _ others_apart (eventually_and _ _
       (small_steps_stay_within r1 w1 n R1) (small_steps_stay_within r2 w2 n R2))))
         as (e & some & free & near_1 & near_2).
@@ -234,9 +174,8 @@ Section OnePiece.
                          winding_number_shifted (right_of_middle s) segments).
   Proof.
     intros inside_ right_. destruct (value_to_the_right_of_all w inside_) as (radius & R & value).
-    refine (eventually_implied _ _ _ (eventually_and _ _ (small_steps_stay_within radius w n R) (eventually_below 1
-      _)));
-      [| lra].
+    refine (eventually_implied _ _ _ (eventually_and _ _ (small_steps_stay_within radius w n R)
+      (eventually_below 1 ltac:(lra)))).
     intros e [near [some _]]. apply value; [exact near |].
     pose proof (on_the_line w s (strictly_inside_lies_on w s inside_)) as line.
     setoid_replace (area s (moved_along w n e)) with (area s w + e * cross (along s) n) by by_coordinates.

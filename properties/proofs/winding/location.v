@@ -51,9 +51,8 @@ Qed.
 Lemma is_on_one_spec (p : vector) (segments : list segment) :
   reflect (exists s, In s segments /\ lies_on p s) (existsb (is_on_segment p) segments).
 Proof.
-  apply iff_reflect. rewrite existsb_exists. split; intros (s & I & on); exists s; (split; [exact I |]).
-  - now destruct (is_on_spec p s).
-  - now destruct (is_on_spec p s).
+  apply iff_reflect. rewrite existsb_exists.
+  split; intros (s & I & on); exists s; (split; [exact I |]); now destruct (is_on_spec p s).
 Qed.
 
 (* Theorem. `locate` returns where a point lies: on the boundary if it is a point of an edge, inside if it is on no

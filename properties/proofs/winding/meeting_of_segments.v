@@ -51,39 +51,36 @@ Proof.
   - assert (v < u) by lra. split; apply Qnot_lt_le; intros outside; nra.
 Qed.
 
+(* Where neither is on one side of the other's line. *)
+Lemma common_point (from to a b : vector) :
+  let F := area (Segment a b) from in let T := area (Segment a b) to in
+  let U := area (Segment from to) a in let V := area (Segment from to) b in
+  (0 <= F /\ T <= 0 \/ F <= 0 /\ 0 <= T) -> ~ F == T -> (0 <= U /\ V <= 0 \/ U <= 0 /\ 0 <= V) -> ~ U == V ->
+  exists w, lies_on w (Segment from to) /\ lies_on w (Segment a b).
+Proof.
+  intros F T U V step_signs step_crosses signs crosses.
+  pose proof (fraction_between _ _ step_signs step_crosses) as f_range.
+  pose proof (fraction_between _ _ signs crosses) as g_range.
+  assert (D : ~ F - T == 0) by lra.
+  assert (f_is : F / (F - T) * (F - T) == F) by (field; lra).
+  assert (g_is : U / (U - V) * (U - V) == U) by (field; lra).
+  set (f := F / (F - T)) in *. set (g := U / (U - V)) in *. clearbody f g.
+  exists (Vector ((1 - f) * vx from + f * vx to) ((1 - f) * vy from + f * vy to)).
+  split; [exists f; split; [exact f_range | split; reflexivity] |]. exists g. split; [exact g_range |].
+  clear - f_is g_is D. split; apply (Qmult_inj_r _ _ (F - T) D); unfold F, T, U, V in *; in_coordinates; by_equations.
+Qed.
+
 (* Theorem. Where a step crosses a segment, by the rule for signed crossings, they have a point in common. *)
 Theorem crossing_steps_meet (from to : vector) (s : segment) :
   signed_crossing_of_step from to s <> 0%Z ->
   exists w, lies_on w (Segment from to) /\ lies_on w s.
 Proof.
-  destruct s as [a b]. unfold signed_crossing_of_step, side_of_segment, side_of_step.
-  cbn [source target].
-  destruct (same_side (match orientation a b from with Eq => _ | _ => _ end) _) eqn:sides;
-    [now cbn |].
+  destruct s as [a b]. unfold signed_crossing_of_step, side_of_segment, side_of_step. cbn [source target].
+  destruct (same_side (match orientation a b from with Eq => _ | _ => _ end) _) eqn:sides; [now cbn |].
   destruct (same_side (match orientation from to a with Eq => _ | _ => _ end) _) eqn:ends; [now cbn |].
-  intros _.
-  apply (sides_differ _ _ _ _ _ (orientation_by_area a b from) (orientation_by_area a b to)) in sides.
+  intros _. apply (sides_differ _ _ _ _ _ (orientation_by_area a b from) (orientation_by_area a b to)) in sides.
   apply (sides_differ _ _ _ _ _ (orientation_by_area from to a) (orientation_by_area from to b)) in ends.
-  destruct sides as [step_signs step_crosses], ends as [signs crosses].
-  pose proof (fraction_between _ _ step_signs step_crosses) as t_range.
-  pose proof (fraction_between _ _ signs crosses) as r_range.
-  set (F := area (Segment a b) from) in *. set (T := area (Segment a b) to) in *.
-  set (U := area (Segment from to) a) in *. set (V := area (Segment from to) b) in *.
-  assert (opposite : U - V == - (F - T))
-    by (unfold F, T, U, V, area, cross, minus; cbn; ring).
-  exists (Vector ((1 - F / (F - T)) * vx from + F / (F - T) * vx to)
-                 ((1 - F / (F - T)) * vy from + F / (F - T) * vy to)).
-  split; [exists (F / (F - T)); cbn; repeat split; solve [apply t_range | reflexivity] |].
-  exists (U / (U - V)). cbn [vx vy source target].
-  assert (D : ~ F - T == 0) by lra.
-  split; [exact r_range |].
-  assert (fraction : U / (U - V) == - U / (F - T))
-    by (setoid_replace (U - V) with (- (F - T)) by exact opposite; field; exact D).
-  rewrite fraction.
-  assert (f_is : F / (F - T) * (F - T) == F) by (field; exact D).
-  assert (u_is : - U / (F - T) * (F - T) == - U) by (field; exact D).
-  set (f := F / (F - T)) in *. set (g := - U / (F - T)) in *. clearbody f g. clear - f_is u_is D.
-  split; apply (Qmult_inj_r _ _ (F - T) D); unfold F, T, U in *; in_coordinates; by_equations.
+  now apply common_point.
 Qed.
 
 Lemma source_lies_on (s : segment) : lies_on (source s) s.
@@ -100,15 +97,12 @@ Theorem winding_number_along (s : segment) (segments : list segment) :
 Proof.
   intros closed apart. destruct s as [from to].
   pose proof (apart _ (source_lies_on _)) as off_source. pose proof (apart _ (target_lies_on _)) as off_target.
-  cbn [source target] in *.
-  destruct (zero_spec (vx to - vx from)) as [X | X], (zero_spec (vy to - vy from)) as [Y | Y];
-    [apply winding_number_of_equal; lra | ..];
-    (assert (moves : nonzero (minus to from)) by (unfold nonzero, minus; cbn; tauto);
-     pose proof (step_changes_winding_number from to segments closed off_source off_target moves) as change;
-     assert (none : sum (map (signed_crossing_of_step from to) segments) = 0%Z);
-     [| lia]; apply sum_of_zeros; intros s I;
-     destruct (Z.eq_dec (signed_crossing_of_step from to s) 0) as [| crosses]; [assumption |];
-     exfalso; destruct (crossing_steps_meet from to s crosses) as (w & on & on_s); exact (apart w on s I on_s)).
+  cbn [source target] in *. destruct (zero_or_not (minus to from)) as [[X Y] | moves];
+    [cbn in X, Y; apply winding_number_of_equal; lra |].
+  pose proof (step_changes_winding_number from to segments closed off_source off_target moves) as change.
+  rewrite sum_of_zeros in change; [lia |]. intros s I.
+  destruct (Z.eq_dec (signed_crossing_of_step from to s) 0) as [| crosses]; [assumption | exfalso].
+  destruct (crossing_steps_meet from to s crosses) as (w & on & on_s). exact (apart w on s I on_s).
 Qed.
 
 (* A part of a segment from one of its points to its end. *)

@@ -3,7 +3,8 @@
    number (thesis, Observation 4.2.5). Whether a point is on a segment is decidable. Segments and winding
    numbers are those of winding_number.v. *)
 From Coq Require Import ZArith Lia Bool List.
-From Oplus Require Import numbers winding shifted_ray signed_crossings small_numbers tie_rule meeting_of_segments.
+From Oplus Require Import numbers winding shifted_ray signed_crossings small_numbers tie_rule meeting_of_segments
+  secants.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -17,11 +18,9 @@ Proof. destruct (abs_cases a) as [[sign ->] | [sign ->]]; split; lra. Qed.
 
 Lemma lies_on_dec (p : vector) (s : segment) : {lies_on p s} + {~ lies_on p s}.
 Proof.
-  destruct (Qeq_dec (cross (minus (source s) p) (minus (target s) p)) 0) as [line | beside].
-  - destruct (Qlt_le_dec 0 (dot (minus (source s) p) (minus (target s) p))) as [outside | between_].
-    + right. rewrite lies_on_by_signs. lra.
-    + left. now apply lies_on_by_signs.
-  - right. rewrite lies_on_by_signs. tauto.
+  destruct (Qeq_dec (cross (minus (source s) p) (minus (target s) p)) 0) as [line | beside];
+    [destruct (Qlt_le_dec 0 (dot (minus (source s) p) (minus (target s) p))) as [outside | between_] |];
+    [right | left | right]; rewrite lies_on_by_signs; lra.
 Qed.
 
 Lemma on_or_off (p : vector) (segments : list segment) :
@@ -42,51 +41,20 @@ Proof. intros range. destruct (abs_cases a) as [[sign ->] | [sign ->]]; split; n
 Lemma radius_for (value slope : Q) : 0 < value -> 0 <= slope ->
   exists radius, 0 < radius /\ radius * slope < value.
 Proof.
-  intros some slope_. exists (value / (slope + 1)). split.
-  - apply Qlt_shift_div_l; lra.
-  - assert (exact_ : value / (slope + 1) * (slope + 1) == value) by (field; lra).
-    assert (0 < value / (slope + 1)) by (apply Qlt_shift_div_l; lra). lra.
+  intros some _. destruct (some_small _ (eventually_positive value (- slope) some)) as (radius & R & small).
+  exists radius. split; [exact R | lra].
 Qed.
 
 Lemma squares_are_not_negative (u v : Q) : 0 <= u * u + v * v.
 Proof. destruct (Qlt_le_dec u 0), (Qlt_le_dec v 0); nra. Qed.
 
-Lemma off_one_segment_near (x : vector) (s : segment) : ~ lies_on x s ->
-  exists radius, 0 < radius /\ forall y, within radius x y -> ~ lies_on y s.
+(* What is in front of a point is in front of those near it. *)
+Lemma in_front_near (w a x : vector) : in_front w (minus a x) ->
+  eventually (fun radius => forall y, within radius x y -> in_front w (minus a y)).
 Proof.
-  intros free. destruct (turns_around x s free) as (_ & _ & ahead).
-  destruct s as [a b]. cbn [source target] in *.
-  set (c := cross (minus a x) (minus b x)) in *. set (d := dot (minus a x) (minus b x)) in *.
-  assert (change_of_cross : forall y, cross (minus a y) (minus b y) ==
-    c - ((vx y - vx x) * (vy b - vy a) - (vy y - vy x) * (vx b - vx a)))
-    by (intros y; unfold c, cross, minus; cbn; ring).
-  set (slope := Qabs (vy b - vy a) + Qabs (vx b - vx a)).
-  assert (0 <= slope)
-    by (unfold slope; pose proof (abs_bounds (vy b - vy a)); pose proof (abs_bounds (vx b - vx a)); lra).
-  assert (by_cross : forall value, 0 < value -> value <= c \/ value <= - c ->
-    exists radius, 0 < radius /\ forall y, within radius x y -> ~ lies_on y (Segment a b)).
-  { intros value some size. destruct (radius_for value slope) as (radius & R & small); [exact some | assumption |].
-    exists radius. split; [exact R |]. intros y [X Y] on.
-    apply lies_on_by_signs in on. destruct on as [line _]. cbn [source target] in line.
-    rewrite change_of_cross in line.
-    pose proof (product_bounds _ (vy b - vy a) _ X). pose proof (product_bounds _ (vx b - vx a) _ Y).
-    unfold slope in small. lra. }
-  destruct (Q_dec c 0) as [[right_ | left_] | line].
-  - apply (by_cross (- c)); [lra | now right; lra].
-  - apply (by_cross c); [lra | now left; lra].
-  - specialize (ahead line).
-    set (u := vx a + vx b - 2 * vx x). set (v := vy a + vy b - 2 * vy x).
-    assert (change_of_dot : forall y, dot (minus a y) (minus b y) ==
-      d - ((vx y - vx x) * u + (vy y - vy x) * v) +
-      ((vx y - vx x) * (vx y - vx x) + (vy y - vy x) * (vy y - vy x)))
-      by (intros y; unfold d, u, v, dot, minus; cbn; ring).
-    destruct (radius_for d (Qabs u + Qabs v)) as (radius & R & small); [exact ahead | |].
-    { pose proof (abs_bounds u). pose proof (abs_bounds v). lra. }
-    exists radius. split; [exact R |]. intros y [X Y] on.
-    apply lies_on_by_signs in on. destruct on as [_ between_]. cbn [source target] in between_.
-    rewrite change_of_dot in between_.
-    pose proof (product_bounds _ u _ X). pose proof (product_bounds _ v _ Y).
-    pose proof (squares_are_not_negative (vx y - vx x) (vy y - vy x)). lra.
+  intros front. refine (eventually_implied _ _ _ (eventually_positive _ (- (Qabs (vx w) + Qabs (vy w))) front)).
+  intros radius some y [X Y]. pose proof (product_bounds _ (vx w) _ X). pose proof (product_bounds _ (vy w) _ Y).
+  unfold in_front, dot, minus in *. cbn [vx vy] in *. lra.
 Qed.
 
 Lemma within_smaller (r s : Q) (x y : vector) : r <= s -> within r x y -> within s x y.
@@ -95,9 +63,17 @@ Proof. unfold within. lra. Qed.
 Lemma off_near_one (x : vector) (s : segment) : ~ lies_on x s ->
   eventually (fun radius => forall y, within radius x y -> ~ lies_on y s).
 Proof.
-  intros free. destruct (off_one_segment_near x s free) as (radius & R & near). exists radius. split; [exact R |].
-  intros smaller _ less y close. apply near. refine (within_smaller _ _ _ _ _ close). lra.
+  intros free. destruct (turning_is_in_front _ _ (turns_around x s free)) as (w & f & g).
+  refine (eventually_implied _ _ _ (eventually_and _ _ (in_front_near w _ x f) (in_front_near w _ x g))).
+  intros radius [near_source near_target] y close (t & range & X & Y).
+  pose proof (mixed_is_more t _ _ 0 range (near_source y close) (near_target y close)) as some.
+  assert (none : (1 - t) * dot w (minus (source s) y) + t * dot w (minus (target s) y) == 0)
+    by (in_coordinates; by_equations). lra.
 Qed.
+
+Lemma off_one_segment_near (x : vector) (s : segment) : ~ lies_on x s ->
+  exists radius, 0 < radius /\ forall y, within radius x y -> ~ lies_on y s.
+Proof. intros free. exact (some_small _ (off_near_one x s free)). Qed.
 
 Lemma off_near (x : vector) (segments : list segment) : off x segments ->
   exists radius, 0 < radius /\ forall y, within radius x y -> off y segments.
@@ -109,15 +85,12 @@ Proof.
 Qed.
 
 (* A square is convex. *)
-Lemma between_bounds (a b h radius : Q) :
-  - radius < a < radius -> - radius < b < radius -> 0 <= h <= 1 -> - radius < (1 - h) * a + h * b < radius.
-Proof. intros range_a range_b range. split; [apply mixed_is_more | apply mixed_is_less]; lra. Qed.
-
 Lemma within_along (radius : Q) (w x y v : vector) :
   within radius w x -> within radius w y -> lies_on v (Segment x y) -> within radius w v.
 Proof.
-  intros [X1 Y1] [X2 Y2] (h & range & vx_is & vy_is). cbn [source target] in *. unfold within.
-  pose proof (between_bounds _ _ h _ X1 X2 range). pose proof (between_bounds _ _ h _ Y1 Y2 range). lra.
+  intros [[X1 X2] [Y1 Y2]] [[X3 X4] [Y3 Y4]] (h & range & vx_is & vy_is). cbn [source target] in *. unfold within.
+  pose proof (mixed_is_more h _ _ _ range X1 X3). pose proof (mixed_is_less h _ _ _ range X2 X4).
+  pose proof (mixed_is_more h _ _ _ range Y1 Y3). pose proof (mixed_is_less h _ _ _ range Y2 Y4). lra.
 Qed.
 
 (* Theorem. Around every point off closed chains there is a square of points off them that have its winding
@@ -137,16 +110,10 @@ Qed.
 Lemma small_steps_stay_within (radius : Q) (w u : vector) : 0 < radius ->
   eventually (fun e => within radius w (moved_along w u e)).
 Proof.
-  intros R. destruct (radius_for radius (Qabs (vx u) + Qabs (vy u))) as (limit & L & small); [exact R | |].
-  { pose proof (abs_bounds (vx u)). pose proof (abs_bounds (vy u)). lra. }
-  exists limit. split; [exact L |]. intros e positive below. unfold within, moved_along; cbn [vx vy].
-  setoid_replace (vx w + e * vx u - vx w) with (e * vx u) by ring.
-  setoid_replace (vy w + e * vy u - vy w) with (e * vy u) by ring.
-  assert (range : - limit < e < limit) by lra.
-  pose proof (product_bounds e (vx u) limit range). pose proof (product_bounds e (vy u) limit range).
-  pose proof (abs_bounds (vx u)). pose proof (abs_bounds (vy u)).
-  assert (0 <= limit * Qabs (vx u)) by (apply Qmult_le_0_compat; lra).
-  assert (0 <= limit * Qabs (vy u)) by (apply Qmult_le_0_compat; lra). lra.
+  intros R. assert (each : forall a, eventually (fun e => 0 < radius + e * a /\ 0 < radius + e * - a))
+    by (intros a; apply eventually_and; now apply eventually_positive).
+  refine (eventually_implied _ _ _ (eventually_and _ _ (each (vx u)) (each (vy u)))).
+  intros e. unfold within, moved_along. cbn [vx vy]. lra.
 Qed.
 
 Lemma moved_stays_within (radius : Q) (p : shifted_point) : 0 < radius ->

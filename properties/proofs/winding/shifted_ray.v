@@ -49,51 +49,31 @@ Definition sign_nearby (c0 c1 c2 : Q) : comparison :=
 Lemma positive_nearby : forall a b c, 0 < a ->
   eventually (fun e => 0 < a + e * b + e * e * c).
 Proof.
-  intros a b c A. set (k := 1 + Qabs b + Qabs c).
-  assert (B : 0 <= Qabs b) by apply Qabs_nonneg. assert (C : 0 <= Qabs c) by apply Qabs_nonneg.
-  assert (K : 0 < k) by (unfold k; lra).
-  exists (Qmin 1 (a / k)). split.
-  - apply Q.min_glb_lt; [lra |]. apply Qlt_shift_div_l; lra.
-  - intros e E L.
-    assert (E1 : e < 1) by (eapply Qlt_le_trans; [exact L | apply Q.le_min_l]).
-    assert (E2 : e < a / k) by (eapply Qlt_le_trans; [exact L | apply Q.le_min_r]).
-    assert (E3 : e * k < a).
-    { apply (Qmult_lt_r _ _ k K) in E2. setoid_replace (a / k * k) with a in E2 by (field; lra). exact E2. }
-    unfold k in E3.
-    assert (- Qabs b <= b /\ b <= Qabs b) as [B1 _]
-      by (destruct (abs_cases b) as [[? ->] | [? ->]]; split; lra).
-    assert (- Qabs c <= c /\ c <= Qabs c) as [C1 _]
-      by (destruct (abs_cases c) as [[? ->] | [? ->]]; split; lra).
-    assert (0 <= e * (b + Qabs b)) by (apply Qmult_le_0_compat; lra).
-    assert (0 <= e * e) by (apply Qmult_le_0_compat; lra).
-    assert (0 <= e * e * (c + Qabs c)) by (apply Qmult_le_0_compat; lra).
-    assert (0 <= e * (1 - e)) by (apply Qmult_le_0_compat; lra).
-    assert (0 <= e * (1 - e) * Qabs c) by (apply Qmult_le_0_compat; lra).
-    lra.
+  intros a b c A. assert (half : 0 < (1 # 2) * a) by lra.
+  refine (eventually_implied _ _ _ (eventually_and _ _ (eventually_positive _ b half)
+    (eventually_squared _ (eventually_positive _ c half)))). intros e. lra.
 Qed.
 
 Lemma quadratic_nearby : forall c0 c1 c2,
-  eventually (fun e =>
-    (c0 + e * c1 + e * e * c2 ?= 0) = sign_nearby c0 c1 c2).
+  eventually (fun e => (c0 + e * c1 + e * e * c2 ?= 0) = sign_nearby c0 c1 c2).
 Proof.
-  intros c0 c1 c2. unfold sign_nearby. compared_numbers (c0 ?= 0).
-  - compared_numbers (c1 ?= 0).
-    + exists 1. split; [lra |]. intros e E _. compared_numbers (c2 ?= 0).
-      * apply (proj1 (Qeq_alt _ _)). nra.
-      * apply (proj1 (Qlt_alt _ _)). assert (0 < e * e) by nra. nra.
-      * apply (proj1 (Qgt_alt _ _)). assert (0 < e * e) by nra. nra.
-    + destruct (positive_nearby (- c1) (- c2) 0) as (l & L & H); [lra |].
-      exists l. split; [exact L |]. intros e E F. specialize (H e E F).
-      apply (proj1 (Qlt_alt _ _)). nra.
-    + destruct (positive_nearby c1 c2 0) as (l & L & H); [lra |].
-      exists l. split; [exact L |]. intros e E F. specialize (H e E F).
-      apply (proj1 (Qgt_alt _ _)). nra.
-  - destruct (positive_nearby (- c0) (- c1) (- c2)) as (l & L & H); [lra |].
-    exists l. split; [exact L |]. intros e E F. specialize (H e E F).
-    apply (proj1 (Qlt_alt _ _)). lra.
-  - destruct (positive_nearby c0 c1 c2) as (l & L & H); [lra |].
-    exists l. split; [exact L |]. intros e E F. specialize (H e E F).
-    apply (proj1 (Qgt_alt _ _)). lra.
+  intros c0 c1 c2.
+  assert (scaled : forall a b k, 0 < k -> b == k * a -> (b ?= 0) = (a ?= 0)).
+  { intros a b k some equal. destruct (Qcompare_spec b 0), (Qcompare_spec a 0); trivial; exfalso; nra. }
+  assert (nearby : forall a b c, ~ a == 0 -> eventually (fun e => (a + e * b + e * e * c ?= 0) = (a ?= 0))).
+  { intros a b c apart. destruct (Q_dec a 0) as [[some | some] |];
+      [refine (eventually_implied _ _ _ (positive_nearby (- a) (- b) (- c) _)); [| lra]
+      | refine (eventually_implied _ _ _ (positive_nearby a b c some)) | contradiction]; intros e near;
+      destruct (Qcompare_spec (a + e * b + e * e * c) 0), (Qcompare_spec a 0); trivial; exfalso; lra. }
+  unfold sign_nearby. destruct (Qeq_dec c0 0) as [zero_ | apart]; [destruct (Qeq_dec c1 0) as [zero_' | apart] |].
+  - exists 1. split; [lra |]. intros e some _.
+    rewrite (proj1 (Qeq_alt c0 0) zero_), (proj1 (Qeq_alt c1 0) zero_').
+    apply (scaled c2 _ (e * e)); [nra | rewrite zero_, zero_'; ring].
+  - refine (eventually_implied _ _ _ (eventually_and _ _ (eventually_below 1 ltac:(lra)) (nearby c1 c2 0 apart))).
+    intros e [[some _] near]. rewrite (proj1 (Qeq_alt c0 0) zero_), (scaled (c1 + e * c2 + e * e * 0) _ e some), near
+      by (rewrite zero_; ring).
+    compared_numbers (c1 ?= 0); trivial; lra.
+  - refine (eventually_implied _ _ _ (nearby c0 c1 c2 apart)). intros e ->. compared_numbers (c0 ?= 0); trivial; lra.
 Qed.
 
 (* The shift decides on which side of its own height the point comes to be; so does that of an edge's
@@ -119,43 +99,28 @@ Lemma below_nearby : forall p a, leaves_its_height p ->
     ~ vy a == vy (moved p e)).
 Proof.
   intros p a [F S].
-  destruct (quadratic_nearby (vy (at_ p) - vy a) (vy (first p)) (vy (second p))) as (l & L & H).
-  exists l. split; [exact L |]. intros e E M. specialize (H e E M).
-  set (c := vy (at_ p) - vy a + e * vy (first p) + e * e * vy (second p)) in *.
-  assert (A : (vy a ?= vy (moved p e)) = CompOpp (c ?= 0)).
-  { rewrite (Qcompare_antisym c 0). apply compare_as_difference. unfold c. cbn. ring. }
-  assert (U : sign_nearby (vy (at_ p) - vy a) (vy (first p)) (vy (second p)) <> Eq /\
-    (match sign_nearby (vy (at_ p) - vy a) (vy (first p)) (vy (second p)) with
-     | Lt => false | _ => true end =
-     if is_above p then at_most (vy a) (vy (at_ p)) else negb (at_most (vy (at_ p)) (vy a)))).
-  { clear H A. unfold sign_nearby, is_above, positive, at_most.
-    rewrite <- (Qcompare_antisym (vy a) (vy (at_ p))).
-    rewrite (compare_as_difference (vy a) (vy (at_ p)) 0 (vy (at_ p) - vy a)) by ring.
-    rewrite <- (Qcompare_antisym (vy (at_ p) - vy a) 0).
-    destruct (negative_spec (- vy (first p))), (negative_spec (- vy (second p))); cbn [orb];
-      compared_numbers (vy (at_ p) - vy a ?= 0); cbn; try (split; [discriminate | reflexivity]);
-      compared_numbers (vy (first p) ?= 0); try (split; [discriminate | reflexivity]); try (exfalso; lra);
-      specialize (S C0);
-      compared_numbers (vy (second p) ?= 0); try (split; [discriminate | reflexivity]); exfalso; lra. }
-  destruct U as [N U]. rewrite <- U, <- H in *. split.
-  - unfold at_most. rewrite A. destruct (c ?= 0); reflexivity.
-  - intros X. apply (proj1 (Qeq_alt _ _)) in X. rewrite A in X. destruct (c ?= 0); cbn in X; congruence.
+  refine (eventually_implied _ _ _ (quadratic_nearby (vy (at_ p) - vy a) (vy (first p)) (vy (second p)))).
+  intros e near. set (c := vy (at_ p) - vy a + e * vy (first p) + e * e * vy (second p)) in *.
+  assert (height : vy (moved p e) == vy a + c) by (unfold c; cbn; ring). clearbody c.
+  assert (side_ : ~ c == 0 /\ (if is_above p then c < 0 <-> vy (at_ p) < vy a else 0 < c <-> vy a < vy (at_ p))).
+  { revert near. unfold sign_nearby, is_above, positive.
+    compared_numbers (vy (at_ p) - vy a ?= 0); try compared_numbers (vy (first p) ?= 0);
+      try compared_numbers (vy (second p) ?= 0); compared_numbers (c ?= 0); (discriminate || intros _);
+      destruct (negative_spec (- vy (first p))), (negative_spec (- vy (second p))); cbn [orb]; lra. }
+  destruct side_ as [apart_ side_], (is_above p), (at_most_spec (vy a) (vy (moved p e))),
+    (at_most_spec (vy a) (vy (at_ p))), (at_most_spec (vy (at_ p)) (vy a)); split; trivial; (exfalso; lra) || lra.
 Qed.
 
 Lemma side_nearby : forall p s,
-  eventually (fun e =>
-    orientation (source s) (target s) (moved p e) = side p s).
+  eventually (fun e => orientation (source s) (target s) (moved p e) = side p s).
 Proof.
-  intros p [a b]. set (d := minus b a).
-  set (o := (vx b - vx a) * (vy (at_ p) - vy a) - (vy b - vy a) * (vx (at_ p) - vx a)).
-  destruct (quadratic_nearby o (cross d (first p)) (cross d (second p))) as (l & L & H).
-  exists l. split; [exact L |]. intros e E M. specialize (H e E M). unfold side; cbn.
-  unfold orientation at 1. rewrite (compare_as_difference _ _
-    (o + e * cross d (first p) + e * e * cross d (second p)) 0)
+  intros p [a b]. set (d := minus b a). set (o := cross d (minus (at_ p) a)).
+  refine (eventually_implied _ _ _ (quadratic_nearby o (cross d (first p)) (cross d (second p)))).
+  intros e H. unfold side; cbn. unfold orientation.
+  rewrite (compare_as_difference _ _ (o + e * cross d (first p) + e * e * cross d (second p)) 0), H
     by (unfold o, d, cross, minus; cbn; ring).
-  rewrite H. unfold sign_nearby, orientation.
-  rewrite (compare_as_difference _ ((vy b - vy a) * (vx (at_ p) - vx a)) o 0) by (unfold o; ring).
-  reflexivity.
+  unfold sign_nearby. now rewrite (compare_as_difference _ ((vy b - vy a) * (vx (at_ p) - vx a)) o 0)
+    by (unfold o, d, cross, minus; cbn; ring).
 Qed.
 
 (* Beside an edge's middle there is no other segment: one along the edge is to its left. *)

@@ -159,25 +159,25 @@ Qed.
 
 (* For paths whose points are off the chains; their steps may pass through vertices of the chains and run
    along their edges. *)
+(* One step of a path. *)
+Definition crossings_of_step (from to : vector) (segments : list segment) : Z :=
+  if zero (vx to - vx from) && zero (vy to - vy from) then 0 else sum (map (signed_crossing_of_step from to) segments).
+
+Lemma crossings_of_more : forall from to rest segments,
+  signed_crossings_of_path (from :: to :: rest) segments =
+  (crossings_of_step from to segments + signed_crossings_of_path (to :: rest) segments)%Z.
+Proof. reflexivity. Qed.
+
 Lemma crossings_of_free_paths : forall segments path first,
   cycles segments -> (forall p, In p (first :: path) -> off p segments) ->
   signed_crossings_of_path (first :: path) segments =
   (winding_number (last path first) segments - winding_number first segments)%Z.
 Proof.
-  intros segments path. induction path as [| to rest IH]; intros first C O.
-  - cbn. lia.
-  - change (signed_crossings_of_path (first :: to :: rest) segments) with
-      ((if zero (vx to - vx first) && zero (vy to - vy first) then 0
-        else sum (map (signed_crossing_of_step first to) segments))
-       + signed_crossings_of_path (to :: rest) segments)%Z.
-    rewrite (IH to C) by (intros p I; apply O; now right).
-    rewrite last_of_more.
-    destruct (zero_spec (vx to - vx first)) as [X |], (zero_spec (vy to - vy first)) as [Y |];
-      cbn [andb].
-    + rewrite (winding_number_of_equal to first) by lra. lia.
-    + rewrite step_changes_winding_number; [lia | exact C | apply O; cbn; tauto .. | intros []; contradiction].
-    + rewrite step_changes_winding_number; [lia | exact C | apply O; cbn; tauto .. | intros []; contradiction].
-    + rewrite step_changes_winding_number; [lia | exact C | apply O; cbn; tauto .. | intros []; contradiction].
+  intros segments path. induction path as [| to rest IH]; intros first C O; [cbn; lia |].
+  rewrite crossings_of_more, (IH to C), last_of_more by (intros p I; apply O; now right). unfold crossings_of_step.
+  destruct (zero_spec (vx to - vx first)) as [X |], (zero_spec (vy to - vy first)) as [Y |]; cbn [andb];
+    [rewrite (winding_number_of_equal to first) by lra; lia | ..];
+    (rewrite step_changes_winding_number; [lia | exact C | apply O; cbn; tauto .. | intros []; contradiction]).
 Qed.
 
 (* A point of the path moved by (e, e^2), which the path's points on the chains need. *)
@@ -188,9 +188,8 @@ Lemma side_of_segment_nearby : forall p s, nonzero (minus (target s) (source s))
     side_of_segment s (moved (shifted p) e) = side_of_segment s p /\
     orientation (source s) (target s) (moved (shifted p) e) <> Eq).
 Proof.
-  intros p s N. destruct (side_nearby (shifted p) s) as (l & L & H).
-  exists l. split; [exact L |]. intros e E M. specialize (H e E M). unfold side_of_segment. rewrite H.
-  pose proof (turn_to_shift_decides _ N) as T.
+  intros p s N. refine (eventually_implied _ _ _ (side_nearby (shifted p) s)). intros e H.
+  unfold side_of_segment. rewrite H. pose proof (turn_to_shift_decides _ N) as T.
   unfold side. cbn [shifted at_ first second]. set (d := minus (target s) (source s)) in *.
   assert (U : match cross d (Vector 1 0) ?= 0 with
               | Eq => cross d (Vector 0 1) ?= 0 | by_first => by_first end = turn_to_shift d).
@@ -205,22 +204,14 @@ Lemma side_of_step_nearby : forall from to a, nonzero (minus to from) ->
   eventually (fun e =>
     side_of_step (moved (shifted from) e) (moved (shifted to) e) a = side_of_step from to a).
 Proof.
-  intros from to a N. set (d := minus to from) in *.
-  set (o := (vx to - vx from) * (vy a - vy from) - (vy to - vy from) * (vx a - vx from)).
-  destruct (quadratic_nearby o (vy d) (- vx d)) as (l & L & H).
-  exists l. split; [exact L |]. intros e E M. specialize (H e E M).
-  pose proof (turn_to_shift_decides _ N) as T. unfold side_of_step.
-  assert (X : orientation (moved (shifted from) e) (moved (shifted to) e) a =
-              sign_nearby o (vy d) (- vx d)).
-  { rewrite <- H. unfold orientation. apply compare_as_difference. unfold o, d. cbn. ring. }
-  assert (Y : orientation from to a = (o ?= 0)).
-  { unfold orientation. apply compare_as_difference. unfold o. ring. }
-  assert (Z : match vy d ?= 0 with Eq => - vx d ?= 0 | c => c end = CompOpp (turn_to_shift d)).
-  { unfold turn_to_shift.
-    rewrite (compare_as_difference (- vx d) 0 0 (vx d)) by ring.
-    rewrite <- (Qcompare_antisym (vx d) 0). destruct (vy d ?= 0); reflexivity. }
-  rewrite X, Y. unfold sign_nearby. rewrite Z. fold d.
-  destruct (o ?= 0); try reflexivity. destruct (turn_to_shift d); [now destruct T | reflexivity ..].
+  intros from to a N. set (d := minus to from) in *. set (o := cross d (minus a from)).
+  refine (eventually_implied _ _ _ (quadratic_nearby o (vy d) (- vx d))). intros e H. unfold side_of_step.
+  assert (X : orientation (moved (shifted from) e) (moved (shifted to) e) a = sign_nearby o (vy d) (- vx d)).
+  { rewrite <- H. apply compare_as_difference. unfold o, d, cross. cbn. ring. }
+  assert (Y : orientation from to a = (o ?= 0)) by (apply compare_as_difference; unfold o, d, cross; cbn; ring).
+  rewrite X, Y. unfold sign_nearby, turn_to_shift. fold d. pose proof (turn_to_shift_decides _ N) as T.
+  rewrite (compare_as_difference (- vx d) 0 0 (vx d)) by ring. rewrite <- (Qcompare_antisym (vx d) 0).
+  unfold turn_to_shift in T. destruct (o ?= 0), (vy d ?= 0), (vx d ?= 0); trivial; now destruct T.
 Qed.
 
 Lemma step_nearby : forall from to s, nonzero (minus to from) ->
@@ -231,22 +222,17 @@ Proof.
   intros from to s N.
   pose proof (eventually_and _ _ (side_of_step_nearby from to (source s) N) (side_of_step_nearby from to (target s) N))
     as ends.
-  destruct (zero_spec (vx (target s) - vx (source s))) as [X | X],
-    (zero_spec (vy (target s) - vy (source s))) as [Y | Y].
-  1: { (* a segment of length zero is on one side of everything *)
+  destruct (zero_or_not (minus (target s) (source s))) as [[X Y] | D].
+  - (* a segment of length zero is on one side of everything *)
     refine (eventually_implied _ _ _ ends). intros e [H1 H2]. unfold signed_crossing_of_step. rewrite H1, H2.
     assert (side_of_step from to (source s) = side_of_step from to (target s)) as ->.
-    { unfold side_of_step, orientation.
-      rewrite (compare_as_difference ((vx to - vx from) * (vy (source s) - vy from)) ((vy to - vy from) * (vx (source s) - vx from))
-                 ((vx to - vx from) * (vy (target s) - vy from)) ((vy to - vy from) * (vx (target s) - vx from)));
-        [reflexivity |].
-      assert (vx (target s) == vx (source s)) as -> by lra.
-      assert (vy (target s) == vy (source s)) as -> by lra. ring. }
-    destruct (side_of_step from to (target s)); cbn [same_side]; rewrite !orb_true_r; reflexivity. }
-  all: assert (D : nonzero (minus (target s) (source s))) by (unfold nonzero, minus; cbn; tauto);
-    refine (eventually_implied _ _ _ (eventually_and _ _ ends
-      (eventually_and _ _ (side_of_segment_nearby from s D) (side_of_segment_nearby to s D))));
-    intros e ([H1 H2] & [H3 _] & [H4 _]); unfold signed_crossing_of_step; now rewrite H1, H2, H3, H4.
+    { unfold side_of_step. replace (orientation from to (source s)) with (orientation from to (target s));
+        [reflexivity |]. cbn in X, Y. apply compare_as_difference.
+      assert (vx (target s) == vx (source s) /\ vy (target s) == vy (source s)) as [-> ->] by lra. ring. }
+    destruct (side_of_step from to (target s)); cbn [same_side]; rewrite !orb_true_r; reflexivity.
+  - refine (eventually_implied _ _ _ (eventually_and _ _ ends
+      (eventually_and _ _ (side_of_segment_nearby from s D) (side_of_segment_nearby to s D)))).
+    intros e ([H1 H2] & [H3 _] & [H4 _]). unfold signed_crossing_of_step. now rewrite H1, H2, H3, H4.
 Qed.
 
 Lemma shifted_is_above (p : vector) : is_above (shifted p) = true.
@@ -258,15 +244,11 @@ Proof. intros p. split; cbn; lra. Qed.
 Lemma shifted_off : forall p s,
   eventually (fun e => ~ lies_on (moved (shifted p) e) s).
 Proof.
-  intros p s.
-  destruct (zero_spec (vx (target s) - vx (source s))) as [X | X],
-    (zero_spec (vy (target s) - vy (source s))) as [Y | Y].
-  1: { destruct (below_nearby (shifted p) (source s) (shifted_leaves_its_height p)) as (l & L & H).
-       exists l. split; [exact L |]. intros e E M (t & _ & _ & I). destruct (H e E M) as [_ N].
-       apply N. rewrite I. setoid_replace (vy (target s)) with (vy (source s)) by lra. ring. }
-  all: assert (D : nonzero (minus (target s) (source s))) by (unfold nonzero, minus; cbn; tauto);
-    destruct (side_of_segment_nearby p s D) as (l & L & H); exists l; (split; [exact L |]);
-    intros e E M I; destruct (H e E M) as [_ N]; apply N; now apply on_its_line.
+  intros p s. destruct (zero_or_not (minus (target s) (source s))) as [[X Y] | D].
+  - refine (eventually_implied _ _ _ (below_nearby (shifted p) (source s) (shifted_leaves_its_height p))).
+    intros e [_ N] (t & _ & _ & I). apply N. rewrite I. cbn in X, Y.
+    setoid_replace (vy (target s)) with (vy (source s)) by lra. ring.
+  - refine (eventually_implied _ _ _ (side_of_segment_nearby p s D)). intros e [_ N] I. now apply N, on_its_line.
 Qed.
 
 Lemma shifted_off_all (x : vector) (segments : list segment) :
@@ -298,40 +280,34 @@ Proof.
   intros e same_ones. unfold winding_number. f_equal. now apply map_ext_in.
 Qed.
 
+Lemma crossings_of_step_nearby : forall from to segments,
+  eventually (fun e =>
+    crossings_of_step (moved (shifted from) e) (moved (shifted to) e) segments = crossings_of_step from to segments).
+Proof.
+  intros from to segments.
+  assert (zero_moved : forall e,
+    zero (vx (moved (shifted to) e) - vx (moved (shifted from) e)) = zero (vx to - vx from) /\
+    zero (vy (moved (shifted to) e) - vy (moved (shifted from) e)) = zero (vy to - vy from)).
+  { intros e. unfold zero. split; [rewrite (compare_as_difference _ 0 (vx to - vx from) 0)
+      | rewrite (compare_as_difference _ 0 (vy to - vy from) 0)]; trivial; cbn; ring. }
+  assert (steps : nonzero (minus to from) -> eventually (fun e => forall s, In s segments ->
+    signed_crossing_of_step (moved (shifted from) e) (moved (shifted to) e) s = signed_crossing_of_step from to s))
+    by (intros N; exact (eventually_for_all _ segments (fun s _ => step_nearby from to s N))).
+  unfold crossings_of_step.
+  destruct (zero_spec (vx to - vx from)), (zero_spec (vy to - vy from)); cbn [andb] in *;
+    [exists 1; split; [lra |]; intros e _ _; now destruct (zero_moved e) as [-> ->] | ..];
+    (refine (eventually_implied _ _ _ (steps _)); [| intros []; contradiction]);
+    intros e F; destruct (zero_moved e) as [-> ->]; cbn [andb]; f_equal; now apply map_ext_in.
+Qed.
+
 Lemma path_nearby : forall segments path,
   eventually (fun e =>
     signed_crossings_of_path (map (fun p => moved (shifted p) e) path) segments =
     signed_crossings_of_path path segments).
 Proof.
-  intros segments path. induction path as [| from [| to rest] IH].
-  - exists 1. split; [lra | reflexivity].
-  - exists 1. split; [lra | reflexivity].
-  - assert (S : eventually (fun e =>
-      (if zero (vx to - vx from) && zero (vy to - vy from) then 0%Z
-       else sum (map (signed_crossing_of_step (moved (shifted from) e) (moved (shifted to) e)) segments)) =
-      (if zero (vx to - vx from) && zero (vy to - vy from) then 0%Z
-       else sum (map (signed_crossing_of_step from to) segments)))).
-    { destruct (zero (vx to - vx from) && zero (vy to - vy from)) eqn:Z.
-      - exists 1. split; [lra | reflexivity].
-      - assert (N : nonzero (minus to from)).
-        { unfold nonzero, minus; cbn. destruct (zero_spec (vx to - vx from)), (zero_spec (vy to - vy from));
-            cbn in Z; try discriminate; tauto. }
-        refine (eventually_implied _ _ _ (eventually_for_all _ segments (fun s _ => step_nearby from to s N))).
-        intros e F. f_equal. now apply map_ext_in. }
-    refine (eventually_implied _ _ _ (eventually_and _ _ S IH)). intros e [F H].
-    assert (zero_moved : forall a b, zero (vx (moved (shifted a) e) - vx (moved (shifted b) e)) =
-                                     zero (vx a - vx b) /\
-                                     zero (vy (moved (shifted a) e) - vy (moved (shifted b) e)) =
-                                     zero (vy a - vy b)).
-    { intros a b. unfold zero. split.
-      - rewrite (compare_as_difference _ 0 (vx a - vx b) 0) by (cbn; ring). reflexivity.
-      - rewrite (compare_as_difference _ 0 (vy a - vy b) 0) by (cbn; ring). reflexivity. }
-    assert (unfolded : forall a b others, signed_crossings_of_path (a :: b :: others) segments =
-      ((if zero (vx b - vx a) && zero (vy b - vy a) then 0
-        else sum (map (signed_crossing_of_step a b) segments))
-       + signed_crossings_of_path (b :: others) segments)%Z) by reflexivity.
-    cbn [map]. rewrite !unfolded. destruct (zero_moved to from) as [-> ->].
-    rewrite F. cbn [map] in H. now rewrite H.
+  intros segments path. induction path as [| from [| to rest] IH]; [exists 1; split; [lra | reflexivity] .. |].
+  refine (eventually_implied _ _ _ (eventually_and _ _ (crossings_of_step_nearby from to segments) IH)).
+  intros e [F H]. cbn [map] in *. now rewrite !crossings_of_more, F, H.
 Qed.
 
 Lemma last_of_images : forall A B (f : A -> B) l a, last (map f l) (f a) = f (last l a).

@@ -33,22 +33,12 @@ Lemma signed_angle_by_axis : forall u v, turns u v ->
   signed_angle u v == angle v - angle u + 4 * inject_Z (passes_axis u v).
 Proof.
   intros u v (U & V & N). pose proof (cross_angle u v U V) as T. unfold turns_by in T.
-  pose proof (angle_range u U). pose proof (angle_range v V).
-  unfold signed_angle, passes_axis.
-  assert (P : forall a b s, nonzero a -> nonzero b ->
-    (before (Direction a s) (Direction b s) = true <-> angle a < angle b)).
-  { intros a b s A B. destruct (before_spec (Direction a s) (Direction b s) A B) as [I | I];
-      unfold earlier, place in I; cbn in I; split; intros X; try reflexivity; try discriminate X;
-      [lra | exfalso; apply I; left; exact X]. }
-  pose proof (P u v OfP U V) as [P1 P2]. pose proof (P v u OfP V U) as [Q1 Q2]. clear P.
-  destruct (negative_spec (angle v - angle u + 2)), (negative_spec (2 - (angle v - angle u)));
-    compared_numbers (cross u v ?= 0); try (specialize (N C));
-    destruct (before (Direction u OfP) (Direction v OfP)), (before (Direction v OfP) (Direction u OfP));
-    try (specialize (P1 eq_refl)); try (specialize (Q1 eq_refl)); cbn [Z.b2z Z.opp];
-    change (inject_Z 0) with 0; change (inject_Z 1) with 1; change (inject_Z (-1)) with (-1);
-    try lra; exfalso;
-    try (assert (X : angle u < angle v) by lra; specialize (P2 X); discriminate);
-    try (assert (X : angle v < angle u) by lra; specialize (Q2 X); discriminate); lra.
+  pose proof (angle_range u U). pose proof (angle_range v V). unfold signed_angle, passes_axis.
+  destruct (before_spec (Direction u OfP) (Direction v OfP) U V) as [B | B],
+    (before_spec (Direction v OfP) (Direction u OfP) V U) as [B' | B']; unfold earlier, place in B, B';
+    cbn [vec of] in B, B'; destruct (negative_spec (angle v - angle u + 2)), (negative_spec (2 - (angle v - angle u)));
+    compared_numbers (cross u v ?= 0); try (specialize (N C)); cbn [Z.b2z Z.opp];
+    change (inject_Z 0) with 0; change (inject_Z 1) with 1; change (inject_Z (-1)) with (-1); lra.
 Qed.
 
 Lemma angle_of_equal : forall u v, equal_vectors u v -> angle u == angle v.
@@ -63,11 +53,8 @@ Definition sum_of_angles (us : list vector) : Q := fold_right (fun u rest => ang
 Lemma sum_of_angles_permuted : forall us vs,
   PermutationA equal_vectors us vs -> sum_of_angles us == sum_of_angles vs.
 Proof.
-  intros us vs P. unfold sum_of_angles. induction P; cbn [fold_right].
-  - reflexivity.
-  - rewrite (angle_of_equal _ _ H), IHP. reflexivity.
-  - ring.
-  - rewrite IHP1. exact IHP2.
+  intros us vs P. induction P; cbn; [reflexivity | rewrite (angle_of_equal _ _ H), IHP; reflexivity | ring |].
+  rewrite IHP1. exact IHP2.
 Qed.
 
 (* Theorem. Around a closed sequence of directions, the signed angles add up to as many full turns as
@@ -94,10 +81,7 @@ Theorem winding_number_counts_turns : forall p segments,
   total_angle (map (seen_from p) segments) == 4 * inject_Z (winding_number p segments).
 Proof.
   intros p segments C O. rewrite winding_number_as_sweeps by assumption.
-  apply sweeps_count_turns.
-  - now apply cycles_seen.
-  - now apply seen_turns.
-  - unfold proper, nonzero, right; cbn. lra.
+  apply sweeps_count_turns; [now apply cycles_seen | now apply seen_turns | unfold proper, nonzero, right; cbn; lra].
 Qed.
 
 (* Theorem. The signed angles at a closed chain's vertices add up to its turning number, in full turns
@@ -107,7 +91,5 @@ Theorem turning_number_counts_turns : forall chain,
   total_angle (turns_of chain) == 4 * inject_Z (turning_number chain).
 Proof.
   intros chain T. unfold turning_number. rewrite turns_past_total.
-  apply sweeps_count_turns; [apply turns_closed | | unfold proper, nonzero; cbn; lra].
-  intros u v I. apply (T (Corner u v)). unfold corners, turns_of in *.
-  apply in_map_iff. exists (u, v). auto.
+  apply sweeps_count_turns; [apply turns_closed | now apply turns_of_chain | unfold proper, nonzero; cbn; lra].
 Qed.

@@ -128,6 +128,9 @@ Definition off (p : vector) (segments : list segment) : Prop :=
 Definition cycles (segments : list segment) : Prop :=
   PermutationA equal_vectors (map source segments) (map target segments).
 
+Lemma zero_or_not (v : vector) : {vx v == 0 /\ vy v == 0} + {nonzero v}.
+Proof. unfold nonzero. destruct (Qeq_dec (vx v) 0), (Qeq_dec (vy v) 0); [left | right ..]; tauto. Qed.
+
 Lemma no_squares : forall u v, u * u + v * v <= 0 -> u == 0 /\ v == 0.
 Proof.
   intros u v L.
@@ -172,11 +175,8 @@ Lemma permuted_images : forall (f : vector -> vector),
   (forall u v, equal_vectors u v -> equal_vectors (f u) (f v)) ->
   forall us vs, PermutationA equal_vectors us vs -> PermutationA equal_vectors (map f us) (map f vs).
 Proof.
-  intros f F us vs P. induction P; cbn.
-  - apply permA_nil.
-  - apply permA_skip; auto.
-  - apply permA_swap.
-  - eapply permA_trans; eassumption.
+  intros f F us vs P.
+  induction P; cbn; [apply permA_nil | apply permA_skip; auto | apply permA_swap | eapply permA_trans; eassumption].
 Qed.
 
 (* The segment's ends seen from p. *)
@@ -191,22 +191,22 @@ Proof.
 Qed.
 
 (* Crossing a ray is passing its direction. *)
+Lemma sweep_by_sides : forall k d u v, nonzero d -> nonzero u -> nonzero v ->
+  sweep (Direction d k) u v =
+  ray_crossing (negb (left_of_ray k d u)) (negb (left_of_ray k d v)) (cross u v ?= 0).
+Proof.
+  intros k d u v D U V. unfold sweep, ray_crossing. cbn [of].
+  compared_numbers (cross u v ?= 0); rewrite ?crossed_to_the_left by (trivial; unfold cross in *; lra);
+    destruct (left_of_ray k d u), (left_of_ray k d v); reflexivity.
+Qed.
+
 Lemma crossing_is_sweep : forall k d p s,
   nonzero d -> ~ lies_on p s ->
   signed_crossing_of_ray k d p s =
   sweep (Direction d k) (minus (source s) p) (minus (target s) p).
 Proof.
-  intros k d p [a b] D N. pose proof (turns_around p _ N) as T. cbn in T |- *.
-  unfold signed_crossing_of_ray, sweep, orientation, ray_crossing; cbn [source target of].
-  rewrite (compare_as_difference _ _ (cross (minus a p) (minus b p)) 0)
-    by (unfold cross, minus; cbn; ring).
-  destruct T as (A & B & _).
-  compared_numbers (cross (minus a p) (minus b p) ?= 0).
-  - destruct (left_of_ray k d (minus a p)), (left_of_ray k d (minus b p)); reflexivity.
-  - rewrite crossed_to_the_left by (try assumption; unfold cross in *; lra).
-    destruct (left_of_ray k d (minus a p)), (left_of_ray k d (minus b p)); reflexivity.
-  - rewrite crossed_to_the_left by assumption.
-    destruct (left_of_ray k d (minus a p)), (left_of_ray k d (minus b p)); reflexivity.
+  intros k d p s D N. destruct (turns_around p _ N) as (A & B & _). rewrite sweep_by_sides by assumption.
+  unfold signed_crossing_of_ray, orientation. f_equal. apply compare_as_difference. unfold cross, minus; cbn; ring.
 Qed.
 
 Lemma ray_as_sweeps : forall p segments k d,
