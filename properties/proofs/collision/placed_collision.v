@@ -13,16 +13,21 @@ Open Scope Q_scope.
 (* -Q + x: turned by half a turn, so that chains keep their orientation. *)
 Definition placed (x : vector) (q : region) : region := map (map (minus x)) q.
 
-Lemma edges_of_placed (x : vector) (q : region) : region_edges (placed x q) = map (reflected x) (region_edges q).
+(* The edges of a region whose vertices are replaced. *)
+Definition moved_ends (h : vector -> vector) (s : segment) : segment := Segment (h (source s)) (h (target s)).
+
+Lemma edges_of_images (h : vector -> vector) (r : region) :
+  region_edges (map (map h) r) = map (moved_ends h) (region_edges r).
 Proof.
-  unfold region_edges, placed. rewrite flat_map_concat_map, map_map, <- flat_map_concat_map.
-  induction q as [| chain q IH]; [reflexivity |]. cbn [flat_map]. rewrite map_app, <- IH. f_equal.
-  unfold edges. destruct chain as [| v rest]; [reflexivity |].
-  cbn [map rotated]. change (minus x v :: map (minus x) rest) with (map (minus x) (v :: rest)).
-  replace (map (minus x) rest ++ [minus x v]) with (map (minus x) (rest ++ [v])) by now rewrite map_app.
-  generalize (v :: rest) (rest ++ [v]). intros l. induction l as [| a l IHl]; intros [| b m]; trivial.
-  cbn [map combine]. now rewrite IHl.
+  unfold region_edges. induction r as [| c r IH]; [reflexivity |]. cbn [map flat_map]. rewrite map_app, IH. f_equal.
+  unfold edges. assert (rotated_ : rotated (map h c) = map h (rotated c))
+    by (destruct c; [reflexivity |]; cbn; now rewrite map_app).
+  rewrite rotated_. generalize (rotated c). clear rotated_ IH.
+  induction c as [| a c IH]; intros [| b l]; [reflexivity .. |]. cbn. now rewrite IH.
 Qed.
+
+Lemma edges_of_placed (x : vector) (q : region) : region_edges (placed x q) = map (reflected x) (region_edges q).
+Proof. exact (edges_of_images (minus x) q). Qed.
 
 Lemma off_placed (x z : vector) (q : region) :
   off z (region_edges (placed x q)) <-> off (minus x z) (region_edges q).

@@ -1,19 +1,17 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* x is moved along a segment. If no vertex of P comes to an edge of -Q + x on the way or leaves one, nor a vertex of
    -Q + x an edge of P, and no vertices meet, then the interiors of P and -Q + x meet all along the way, or nowhere.
-   What shows that they meet (contacts.v) is still there after the move: the parallelogram of two edges that cross
-   still goes round x (crossing_edges.v), and vertices on an edge keep their order, so that the part between two of
-   them is met by other edges where it was met before. *)
-From Coq Require Import QArith Lqa Qfield ZArith Lia Bool List.
-From Oplus Require Import regions_and_sums reflected parallelogram crossing_edges right_of_an_edge boundary_points
-  rotation pieces naive_collision met_pieces collision_is_sound collision_is_complete placed_collision coordinates
-  contacts.
+   Where they meet, what they have in common has a corner: a vertex of one of them, or a point where two edges cross.
+   After the move, edges that crossed still cross: their parallelogram still goes round x (crossing_edges.v). A vertex
+   that was inside the other region still is; and what was near a vertex on an edge, to the left of the edge, still
+   is to its left. *)
+From Coq Require Import QArith Qminmax Lqa ZArith Lia Bool List.
+From Oplus Require Import regions_and_sums reflected parallelogram crossing_edges boundary_points pieces naive_collision
+  met_pieces collision_is_sound collision_is_complete placed_collision filling kept_pieces_go_round cut_pieces
+  rule_of_sides region_of_pieces coordinates.
 Import ListNotations.
 
 Open Scope Q_scope.
-
-Lemma minus_twice (x w : vector) : equal_vectors (minus x (minus x w)) w.
-Proof. by_computing. Qed.
 
 Lemma vertex_of_placed_iff (x w : vector) (q : region) : is_vertex w (placed x q) <-> is_vertex (minus x w) q.
 Proof.
@@ -21,50 +19,83 @@ Proof.
   destruct U as (t & <- & T). exists t. split; [exact T | by_computing].
 Qed.
 
-Lemma meet_inside_placed (x : vector) (p q : region) : meet_inside p (placed x q) <-> interiors_meet x p q.
+(* Edges of a valid region that are not parallel have only vertices in common. *)
+Lemma common_point_is_a_vertex (r : region) (e f : segment) (w : vector) : valid_region r -> In e (region_edges r) ->
+  In f (region_edges r) -> lies_on w e -> lies_on w f -> ~ cross (along e) (along f) == 0 -> is_vertex w r.
 Proof.
-  unfold meet_inside, interiors_meet. split; intros (z & in_p & in_q); exists z; (split; [exact in_p |]);
-    now apply inside_placed.
+  intros (_ & _ & meet) E F on_e on_f turn. destruct (in_split _ _ E) as (earlier & later & edges_are).
+  apply (meet earlier e later f w edges_are); trivial. rewrite edges_are in F. apply in_elt_inv in F.
+  destruct F as [-> | F]; [exfalso; apply turn; unfold cross; ring | exact F].
 Qed.
 
-Lemma edge_of_placed (x : vector) (q : region) (f' : segment) : In f' (region_edges (placed x q)) ->
-  exists f, In f (region_edges q) /\ f' = reflected x f.
-Proof. rewrite edges_of_placed. intros I. apply in_map_iff in I. destruct I as (f & <- & I). now exists f. Qed.
+(* Close to w there are points inside both. *)
+Definition meet_near (p q : region) (x w : vector) : Prop :=
+  forall radius, 0 < radius -> exists z, within radius w z /\ inside z p /\ inside (minus x z) q.
 
-Lemma runs_inside_reflected (x : vector) (r : region) (s e : segment) : runs_inside r s e ->
-  runs_inside (placed x r) (reflected x s) (reflected x e).
-Proof.
-  intros (E & (c & along_x & along_y) & free). split; [rewrite edges_of_placed; now apply in_map |].
-  split; [exists c; to_coordinates; split; lra |]. intros w (k & range & X & Y).
-  rewrite on_reflected, vertex_of_placed_iff. apply free. exists k. split; [exact range | by_computing].
-Qed.
+(* Two edges cross at w, which is no vertex. *)
+Definition edges_cross_at (p q : region) (x w : vector) : Prop :=
+  exists e f, In e (region_edges p) /\ In f (region_edges q) /\ lies_on w e /\ lies_on (minus x w) f /\
+    ~ is_vertex w p /\ ~ is_vertex (minus x w) q /\ ~ cross (along e) (along f) == 0.
 
-Lemma vertex_of_either_reflected (x v : vector) (p q : region) :
-  vertex_of_either v (placed x q) p <-> vertex_of_either (minus x v) q (placed x p).
+(* Theorem. What P and -Q + x have in common has a corner. *)
+Theorem a_common_corner (p q : region) (x : vector) : valid_region p -> valid_region q -> interiors_meet x p q ->
+  exists w, meet_near p q x w /\ (is_vertex w p \/ is_vertex (minus x w) q \/ edges_cross_at p q x w).
 Proof.
-  unfold vertex_of_either. rewrite !vertex_of_placed_iff.
-  pose proof (vertex_of_equal _ _ p (minus_twice x v)).
-  pose proof (vertex_of_equal _ _ p (symmetry (minus_twice x v))). tauto.
-Qed.
-
-(* All of it reflected. *)
-Lemma part_shows_reflected (x : vector) (p q : region) (f' : segment) (c d : vector) :
-  part_shows (placed x q) p f' c d -> exists f, part_shows q (placed x p) f (minus x c) (minus x d).
-Proof.
-  intros (F & c_is & d_is & on_c & on_d & ahead & none & shows).
-  destruct (edge_of_placed x q f' F) as (f & I & ->). exists f.
-  apply vertex_of_either_reflected in c_is, d_is. apply on_reflected in on_c, on_d. repeat split; trivial.
-  - unfold comes_later in *. by_computing.
-  - intros v vertex (k & range & X & Y). apply (none (minus x v)).
-    + apply vertex_of_either_reflected.
-      destruct vertex; [left | right]; now apply (vertex_of_equal v); [by_computing |].
-    + exists k. split; [exact range | by_computing].
-  - assert (middle_is : equal_vectors (minus x (middle (Segment (minus x c) (minus x d)))) (middle (Segment c d)))
-      by by_computing.
-    destruct shows as [inside_p | (e & E & on & parallel & same_way)]; [left | right].
-    + apply inside_placed. now apply (inside_equal (middle (Segment c d))).
-    + exists (reflected x e). rewrite edges_of_placed. split; [now apply in_map |].
-      split; [apply on_reflected; now apply (lies_on_equal (middle (Segment c d))) | by_computing].
+  intros p_region q_region (z & in_p & in_q). apply inside_placed in in_q.
+  pose proof (placed_is_valid x q q_region) as placed_region.
+  set (families := [region_edges p; region_edges (placed x q)]).
+  assert (closed : forall l, In l families -> cycles l) by (intros l [<- | [<- | []]]; apply region_cycles).
+  assert (edge_is : forall t, In t (concat families) -> In t (region_edges p) \/ In t (region_edges (placed x q)))
+    by (intros t T; cbn [families concat] in T; rewrite app_nil_r in T; now apply in_app_iff).
+  assert (long : forall t, In t (concat families) -> nonzero (along t)).
+  { intros t T. destruct (edge_is t T) as [E | F];
+      [exact (region_edges_are_directions p (proj1 p_region) t E) |
+       exact (region_edges_are_directions _ (proj1 placed_region) t F)]. }
+  pose proof (rule_ends_at_pieces (forallb (Z.ltb 0)) families closed long eq_refl) as ends_.
+  pose proof (boundary_by_rule_goes_round (forallb (Z.ltb 0)) families closed long eq_refl z) as round.
+  assert (both : forall y, by_rule (forallb (Z.ltb 0)) families y = true <->
+    (0 < winding_number y (region_edges p))%Z /\ (0 < winding_number y (region_edges (placed x q)))%Z)
+    by (intros y; unfold by_rule; cbn [families map forallb]; rewrite !andb_true_iff, !Z.ltb_lt; tauto).
+  rewrite (proj2 (both z) (conj (proj2 in_p) (proj2 in_q))) in round.
+  destruct (boundary_by_rule _ families) as [| s l] eqn:boundary_; [discriminate round |].
+  assert (S : In s (kept_pieces (right_by_rule (forallb (Z.ltb 0)) families) (pieces_of (concat families))))
+    by (unfold boundary_by_rule in boundary_; rewrite boundary_; now left).
+  clear z in_p in_q round boundary_.
+  pose proof S as K. apply in_flat_map in K. destruct K as (e & E & K). apply kept_is in K. destruct K as [_ which].
+  destruct (piece_is _ long e E) as (t & piece & T & P & e_is & _). exists (source piece).
+  assert (on_s : lies_on (source piece) s).
+  { apply (lies_on_of_one_place e s); [destruct which as [-> | ->] |].
+    - left. split; reflexivity.
+    - apply of_one_place_sym, reversed_place.
+    - rewrite e_is. apply (lies_on_of_one_place piece);
+        [apply of_one_place_sym, undirected_place | apply source_lies_on]. }
+  split.
+  - intros radius R. destruct (inside_near_kept _ long _ _ ends_ s _ radius S on_s R) as (y & close & free & y_both).
+    apply both in y_both. destruct y_both as [round_p round_q]. exists y. split; [exact close |].
+    rewrite <- inside_placed. split; (split; [| assumption]); intros f F; apply free, in_concat; eexists;
+      (split; [| exact F]); cbn; tauto.
+  - set (w := source piece) in *.
+    assert (end_ : forall f v, In f (concat families) -> v = source f \/ v = target f ->
+      is_vertex v p \/ is_vertex (minus x v) q).
+    { intros f v F is_end. rewrite <- vertex_of_placed_iff.
+      destruct (edge_is f F), is_end as [-> | ->]; auto using source_is_vertex, target_is_vertex. }
+    destruct (ends_of_a_piece t piece _ w P (or_introl eq_refl)) as [is_end | [is_end | (f & F & met)]];
+      [destruct (end_ t w T); tauto .. |].
+    apply intersection_is_on_both in met. destruct met as (on_t & on_f & [is_end | turn]).
+    { destruct is_end as [is_end | [is_end | [is_end | is_end]]];
+        [destruct (end_ t w T) | destruct (end_ t w T) | destruct (end_ f w F) | destruct (end_ f w F)]; tauto. }
+    destruct (vertex_or_not w p) as [| not_p], (vertex_or_not (minus x w) q) as [| not_q]; [tauto .. |].
+    right. right.
+    assert (crossed : forall g h, In g (region_edges p) -> In h (region_edges (placed x q)) -> lies_on w g ->
+      lies_on w h -> ~ cross (along g) (along h) == 0 -> edges_cross_at p q x w).
+    { intros g h G H on_g on_h g_turn. rewrite edges_of_placed in H. apply in_map_iff in H.
+      destruct H as (h' & <- & H). apply on_reflected in on_h. exists g, h'. repeat split; trivial.
+      intros parallel. apply g_turn. by_computing. }
+    destruct (edge_is t T) as [T_p | T_q], (edge_is f F) as [F_p | F_q].
+    + now destruct not_p; apply (common_point_is_a_vertex p t f).
+    + now apply (crossed t f).
+    + apply (crossed f t); trivial. intros parallel. apply turn. unfold cross in *. lra.
+    + now destruct not_q; apply vertex_of_placed_iff, (common_point_is_a_vertex _ t f).
 Qed.
 
 (* Contacts stay on the way. *)
@@ -81,226 +112,83 @@ Proof.
   intros y v u Y V U equal. apply (none y u v Y U V). by_computing.
 Qed.
 
-Lemma long_reflected (x : vector) (e f : segment) :
-  cross (along e) (along (reflected x f)) == - cross (along e) (along f) /\
-  dot (along e) (along (reflected x f)) == - dot (along e) (along f).
-Proof. by_computing. Qed.
-
 Section OnTheWay.
   Variables p q : region.
   Variable way : segment.
+  Variables y z w : vector.
   Hypotheses (p_region : valid_region p) (q_region : valid_region q).
   Hypothesis stay : contacts_stay p q way.
-
-  Let p_edges : no_edges_are_points p := proj1 p_region.
-  Let q_edges : no_edges_are_points q := proj1 q_region.
-
-  Lemma ends_stay (y z : vector) (e f : segment) : lies_on y way -> lies_on z way -> In e (region_edges p) ->
-    In f (region_edges q) -> not_sum_of_an_end y e f -> not_sum_of_an_end z e f.
-  Proof.
-    intros Y Z E F (not_1 & not_2 & not_3 & not_4). repeat split; intros on;
-      [apply not_1 | apply not_2 | apply not_3 | apply not_4];
-      [apply (vertices_of_p_stay _ _ _ stay z) | apply (vertices_of_p_stay _ _ _ stay z) |
-       apply (vertices_of_q_stay _ _ _ stay z) | apply (vertices_of_q_stay _ _ _ stay z)];
-      auto using source_is_vertex, target_is_vertex.
-  Qed.
+  Hypotheses (Y : lies_on y way) (Z : lies_on z way).
 
   (* Edges that cross keep crossing. *)
-  Lemma crossing_stays (y z : vector) : lies_on y way -> lies_on z way ->
-    boundaries_cross p (placed y q) -> interiors_meet z p q.
+  Lemma crossing_stays : edges_cross_at p q y w -> interiors_meet z p q.
   Proof.
-    intros Y Z (e & f' & w & E & F' & on_e & on_f & not_p & not_q & turn).
-    destruct (edge_of_placed y q f' F') as (f & F & ->). clear F'. rewrite vertex_of_placed_iff in not_q.
-    assert (turn' : ~ cross (along e) (along f) == 0) by (destruct (long_reflected y e f) as [equal _]; lra).
+    intros (e & f & E & F & on_e & on_f & not_p & not_q & turn).
     assert (once : forall v, lies_on v e -> lies_on (minus y v) f -> equal_vectors v w).
-    { intros v on on'. apply (lines_meet_once e (reflected y f) w); trivial. now apply on_reflected. }
+    { intros v on on'. apply (lines_meet_once e (reflected y f) w); trivial; [| now apply on_reflected ..].
+      intros parallel. apply turn. by_computing. }
     assert (vertex_of_p : forall v, is_vertex v p -> lies_on v e -> ~ lies_on (minus y v) f)
       by (intros v vertex on on'; apply not_p; now apply (vertex_of_equal v), vertex; apply once).
     assert (vertex_of_q : forall u, is_vertex u q -> lies_on u f -> ~ lies_on (minus y u) e).
     { intros u vertex on on'. apply not_q. apply (vertex_of_equal u); [| exact vertex].
       assert (equal : equal_vectors (minus y u) w); [| by_computing].
       apply once; [exact on' | apply (lies_on_equal u); [by_computing | exact on]]. }
-    assert (general : not_sum_of_an_end y e f).
-    { repeat split; [apply vertex_of_p | apply vertex_of_p | apply vertex_of_q | apply vertex_of_q];
-        auto using source_is_vertex, target_is_vertex, source_lies_on, target_lies_on. }
-    assert (is_sum : is_sum_of_points y e f).
-    { exists w, (minus y w). split; [exact on_e |]. split; [now apply on_reflected | by_computing]. }
+    assert (general : forall v, lies_on v way -> not_sum_of_an_end v e f).
+    { intros v V. repeat split; intros on.
+      - apply (vertex_of_p (source e)), (vertices_of_p_stay _ _ _ stay v y);
+          auto using source_is_vertex, source_lies_on.
+      - apply (vertex_of_p (target e)), (vertices_of_p_stay _ _ _ stay v y);
+          auto using target_is_vertex, target_lies_on.
+      - apply (vertex_of_q (source f)), (vertices_of_q_stay _ _ _ stay v y);
+          auto using source_is_vertex, source_lies_on.
+      - apply (vertex_of_q (target f)), (vertices_of_q_stay _ _ _ stay v y);
+          auto using target_is_vertex, target_lies_on. }
     assert (same_number : winding_number y (parallelogram e f) = winding_number z (parallelogram e f)).
     { apply (winding_number_along (Segment y z) _ (closed_chain_cycles _)). intros v on.
-      apply off_parallelogram, (ends_stay y v e f); trivial. now apply (common_part way y z). }
-    assert (round : winding_number z (parallelogram e f) <> 0%Z).
-    { rewrite <- same_number. destruct (crossing_edges_count y e f); trivial; try lia;
-        [now apply (region_edges_are_directions p) | now apply (region_edges_are_directions q)]. }
-    destruct (parallelogram_winding_number z e f) as [none | [_ (v & u & on_v & on_u & equal)]]; [contradiction |].
-    apply meet_inside_placed, (edges_that_cross_show p (placed z q) p_region (placed_is_valid z q q_region)).
-    exists e, (reflected z f), v. rewrite edges_of_placed, vertex_of_placed_iff.
-    assert (on_minus : lies_on (minus z v) f) by (apply (lies_on_equal u); [by_computing | exact on_u]).
-    repeat split; trivial; [now apply in_map | now apply on_reflected | | |].
-    - intros vertex. apply (vertex_of_p v vertex on_v). now apply (vertices_of_p_stay _ _ _ stay z y).
-    - intros vertex. apply (vertex_of_q _ vertex on_minus), (vertices_of_q_stay _ _ _ stay z y); trivial.
+      now apply off_parallelogram, general, (common_part way y z). }
+    destruct (parallelogram_winding_number z e f) as [none | [_ (v & u & on_v & on_u & equal)]].
+    { destruct (crossing_edges_count y e f); auto; try lia;
+        [exact (region_edges_are_directions p (proj1 p_region) e E) |
+         exact (region_edges_are_directions q (proj1 q_region) f F) |].
+      exists w, (minus y w). split; [exact on_e |]. split; [exact on_f | by_computing]. }
+    apply (transversal_edges_meet p q z v u e f); trivial; intros vertex.
+    - apply (vertex_of_p v vertex on_v), (vertices_of_p_stay _ _ _ stay z y); trivial.
+      apply (lies_on_equal u); [by_computing | exact on_u].
+    - apply (vertex_of_q u vertex on_u), (vertices_of_q_stay _ _ _ stay z y); trivial.
       apply (lies_on_equal v); [by_computing | exact on_v].
-    - destruct (long_reflected z e f). lra.
   Qed.
 
-  (* A vertex of P, or one of -Q + x, which moves with x. *)
-  Definition marker_at (x : vector) (m : vector + vector) : vector :=
-    match m with inl v => v | inr u => minus x u end.
+  Hypothesis q_simple : nowhere_above_one q.
 
-  Definition listed (m : vector + vector) : Prop := match m with inl v => is_vertex v p | inr u => is_vertex u q end.
-
-  Lemma marker_of_vertex (x v : vector) : vertex_of_either v p (placed x q) ->
-    exists m, listed m /\ equal_vectors v (marker_at x m).
+  (* What is close to a vertex of P stays inside -Q + x. *)
+  Lemma vertex_stays : is_vertex w p -> meet_near p q y w -> interiors_meet z p q.
   Proof.
-    intros [of_p | of_q]; [now exists (inl v) |]. apply vertex_of_placed_iff in of_q. exists (inr (minus x v)).
-    split; [exact of_q | symmetry; apply minus_twice].
-  Qed.
-
-  Lemma vertex_of_marker (x : vector) (m : vector + vector) : listed m ->
-    vertex_of_either (marker_at x m) p (placed x q).
-  Proof.
-    destruct m as [v | u]; intros I; [now left | right]. apply vertex_of_placed_iff.
-    apply (vertex_of_equal u); [symmetry; apply minus_twice | exact I].
-  Qed.
-
-  Lemma markers_stay_on_p (y z : vector) (e : segment) (m : vector + vector) : lies_on y way -> lies_on z way ->
-    In e (region_edges p) -> listed m -> lies_on (marker_at y m) e -> lies_on (marker_at z m) e.
-  Proof. intros Y Z E. destruct m as [v | u]; cbn; [trivial |]. now apply (vertices_of_q_stay _ _ _ stay). Qed.
-
-  Lemma markers_stay_on_q (y z : vector) (f : segment) (m : vector + vector) : lies_on y way -> lies_on z way ->
-    In f (region_edges q) -> listed m -> lies_on (marker_at y m) (reflected y f) ->
-    lies_on (marker_at z m) (reflected z f).
-  Proof.
-    rewrite !on_reflected. intros Y Z F. destruct m as [v | u]; cbn [listed marker_at]; intros I.
-    - now apply (vertices_of_p_stay _ _ _ stay y z).
-    - apply lies_on_equal. by_computing.
-  Qed.
-
-  (* Vertices on an edge of P keep their order. *)
-  Lemma markers_keep_their_order (y z : vector) (e : segment) (m n : vector + vector) :
-    lies_on y way -> lies_on z way -> In e (region_edges p) -> listed m -> listed n ->
-    lies_on (marker_at y m) e -> lies_on (marker_at y n) e ->
-    comes_later e (marker_at y m) (marker_at y n) -> comes_later e (marker_at z m) (marker_at z n).
-  Proof.
-    unfold comes_later. intros Y Z E M N on_m on_n before_some. apply Qnot_le_lt. intros after_none.
-    set (gap := fun x => dot (along e) (minus (marker_at x n) (marker_at x m))).
-    set (t := gap y / (gap y - gap z)).
-    assert (t_is : t * (gap y - gap z) == gap y) by (unfold t; field; unfold gap; lra).
-    assert (range : 0 <= t <= 1)
-      by (unfold t, gap; split; [apply Qle_shift_div_l; lra | apply Qle_shift_div_r; lra]).
-    clearbody t. set (v := point_at (Segment y z) t).
-    assert (here : lies_on v way) by now apply (common_part way y z), point_at_lies_on.
-    assert (linear : gap v == (1 - t) * gap y + t * gap z)
-      by (unfold gap, v; destruct m, n; cbn [marker_at]; by_computing).
-    assert (equal : equal_vectors (marker_at v m) (marker_at v n)).
-    { apply (equal_if_not_apart e); [now apply (region_edges_are_directions p) | | | fold (gap v); lra];
-        now apply (markers_stay_on_p y v). }
-    destruct m as [s | s], n as [u | u]; cbn [marker_at listed] in *.
-    - cbn in before_some. assert (dot (along e) (minus u s) == 0); [| lra]. by_computing.
-    - apply (no_vertices_meet _ _ _ stay v s u here M N). by_computing.
-    - apply (no_vertices_meet _ _ _ stay v u s here N M). by_computing.
-    - cbn in before_some. assert (dot (along e) (minus (minus y u) (minus y s)) == 0); [| lra]. by_computing.
-  Qed.
-
-  Definition none_between (x : vector) (m n : vector + vector) : Prop :=
-    forall k, listed k -> ~ strictly_inside (marker_at x k) (Segment (marker_at x m) (marker_at x n)).
-
-  Lemma none_comes_between (y z : vector) (e : segment) (m n : vector + vector) : lies_on y way -> lies_on z way ->
-    In e (region_edges p) -> listed m -> listed n -> lies_on (marker_at y m) e -> lies_on (marker_at y n) e ->
-    comes_later e (marker_at y m) (marker_at y n) -> none_between y m n -> none_between z m n.
-  Proof.
-    intros Y Z E M N on_m on_n later none k K inside_.
-    pose proof (markers_keep_their_order y z e m n Y Z E M N on_m on_n later) as later_z.
-    destruct (later_inside e _ _ _ inside_ later_z) as [after before].
-    assert (m_z : lies_on (marker_at z m) e) by now apply (markers_stay_on_p y z).
-    assert (n_z : lies_on (marker_at z n) e) by now apply (markers_stay_on_p y z).
-    pose proof (common_part e _ _ _ m_z n_z (strictly_inside_lies_on _ _ inside_)) as on_k.
-    apply (none k K), (inside_if_between e); trivial; [now apply (region_edges_are_directions p) | | |];
-      [now apply (markers_stay_on_p z y) | now apply (markers_keep_their_order z y) ..].
-  Qed.
-
-  Hypotheses (p_simple : nowhere_above_one p) (q_simple : nowhere_above_one q).
-
-  (* A part of an edge that shows that the interiors meet still shows it. *)
-  Lemma part_stays (y z : vector) (e : segment) (c d : vector) : lies_on y way -> lies_on z way ->
-    part_shows p (placed y q) e c d -> interiors_meet z p q.
-  Proof.
-    intros Y Z (E & c_is & d_is & on_c & on_d & ahead & none & shows).
-    pose proof (collide_decides_whether_interiors_meet p q z p_region q_region p_simple q_simple) as decided.
-    destruct (collide p (placed z q)) eqn:met; [tauto |].
-    assert (not_met : ~ interiors_meet z p q) by (rewrite <- decided; congruence). clear met decided.
-    destruct (marker_of_vertex y c c_is) as (m & M & c_equal), (marker_of_vertex y d d_is) as (n & N & d_equal).
-    pose proof (region_edges_are_directions p p_edges e E) as long.
-    apply (lies_on_equal _ _ _ c_equal) in on_c. apply (lies_on_equal _ _ _ d_equal) in on_d.
-    set (mid := fun x => middle (Segment (marker_at x m) (marker_at x n))).
-    assert (mid_equal : equal_vectors (middle (Segment c d)) (mid y)) by (unfold mid; by_computing).
-    assert (ahead_y : comes_later e (marker_at y m) (marker_at y n)).
-    { destruct c_equal as [cx cy], d_equal as [dx dy]. unfold comes_later, dot, minus in *; cbn [vx vy] in *.
-      now rewrite <- cx, <- cy, <- dx, <- dy. }
-    assert (none_y : none_between y m n).
-    { intros k K (t & range & tx & ty). apply (none (marker_at y k) (vertex_of_marker y k K)). exists t.
-      split; [exact range |]. destruct c_equal as [cx cy], d_equal as [dx dy]. cbn [source target] in *.
-      now rewrite cx, cy, dx, dy. }
-    assert (facts : forall v, lies_on v way -> lies_on (marker_at v m) e /\ lies_on (marker_at v n) e /\
-      lies_on (mid v) e /\ comes_later e (marker_at v m) (marker_at v n) /\ none_between v m n).
-    { intros v V. assert (on_m_v : lies_on (marker_at v m) e) by now apply (markers_stay_on_p y v).
-      assert (on_n_v : lies_on (marker_at v n) e) by now apply (markers_stay_on_p y v).
-      split; [exact on_m_v |]. split; [exact on_n_v |].
-      split; [apply (common_part e _ _ _ on_m_v on_n_v); apply strictly_inside_lies_on, middle_is_inside |].
-      split; [now apply (markers_keep_their_order y v) | now apply (none_comes_between y v e)]. }
-    assert (no_vertex : forall v, lies_on v way -> ~ is_vertex (mid v) p /\ ~ is_vertex (mid v) (placed v q)).
-    { intros v V. destruct (facts v V) as (_ & _ & _ & _ & none_v). rewrite vertex_of_placed_iff.
-      split; intros vertex; [apply (none_v (inl (mid v)) vertex), middle_is_inside |].
-      apply (none_v (inr (minus v (mid v))) vertex). destruct (minus_twice v (mid v)) as [ex ey].
-      destruct (middle_is_inside (Segment (marker_at v m) (marker_at v n))) as (k & range & kx & ky).
-      exists k. split; [exact range |]. cbn [marker_at]. now rewrite ex, ey. }
-    assert (parallel_runs : forall v x f, lies_on v way -> lies_on x way -> In f (region_edges q) ->
-      cross (along e) (along f) == 0 -> lies_on (mid v) (reflected v f) -> lies_on (mid x) (reflected x f)).
-    { intros v x f V X F parallel on. destruct (facts v V) as (m_v & n_v & _ & ahead_v & none_v).
-      destruct (long_reflected v e f) as [cross_v _].
-      destruct (runs_along_the_part e (reflected v f) (marker_at v m) (marker_at v n) (mid v)) as [m_f n_f]; trivial.
-      - apply (region_edges_are_directions _ (proj1 (placed_is_valid v q q_region))).
-        rewrite edges_of_placed. now apply in_map.
-      - lra.
-      - intros u [-> | ->]; [apply (none_v (inr (source f))) | apply (none_v (inr (target f)))];
-          cbn; auto using source_is_vertex, target_is_vertex.
-      - apply middle_is_inside.
-      - apply (common_part _ (marker_at x m) (marker_at x n)); [now apply (markers_stay_on_q v x) .. |].
-        apply strictly_inside_lies_on, middle_is_inside. }
-    destruct shows as [inside_ | (f' & F' & on_f & parallel & same_way)].
-    - (* it stays inside *)
-      apply inside_placed in inside_. destruct inside_ as [free round].
-      assert (off_all : forall v, lies_on v way -> off (minus v (mid v)) (region_edges q)).
-      { intros v V f F on. apply on_reflected in on.
-        destruct (Qeq_dec (cross (along e) (along f)) 0) as [parallel | turn].
-        - apply (free f F). apply (lies_on_equal (minus y (mid y))); [by_computing |].
-          apply on_reflected. now apply (parallel_runs v y f).
-        - apply not_met. apply (crossing_stays v z V Z). destruct (facts v V) as (_ & _ & mid_v & _).
-          destruct (no_vertex v V) as [not_p not_q]. exists e, (reflected v f), (mid v).
-          rewrite edges_of_placed. repeat split; trivial; [now apply in_map |].
-          destruct (long_reflected v e f). lra. }
-      assert (same_number : winding_number (minus y (mid y)) (region_edges q) =
-        winding_number (minus z (mid z)) (region_edges q)).
-      { apply (winding_number_along (Segment (minus y (mid y)) (minus z (mid z))) _ (region_cycles q)).
-        intros w (t & range & wx & wy). cbn [source target] in wx, wy.
-        apply (off_equal (minus (point_at (Segment y z) t) (mid (point_at (Segment y z) t))));
-          [| now apply off_all, (common_part way y z), point_at_lies_on].
-        unfold mid in *. destruct m, n; cbn [marker_at] in *; by_computing. }
-      apply interiors_meet_other_way, (inner_point_and_point q p z (minus z (mid z)) (mid z));
+    intros vertex near.
+    assert (free : forall v, lies_on v way -> ~ is_vertex (minus v w) q)
+      by (intros v V u; apply (no_vertices_meet _ _ _ stay v w (minus v w) V vertex u); by_computing).
+    destruct (on_or_off (minus y w) (region_edges q)) as [(f & F & on_y) | off_y].
+    - pose proof (vertices_of_p_stay _ _ _ stay y z w f Y Z vertex F on_y) as on_z.
+      destruct (inside_beside_an_edge q f _ q_region q_simple F on_y (free y Y)) as (r1 & R1 & at_y).
+      destruct (inside_beside_an_edge q f _ q_region q_simple F on_z (free z Z)) as (r2 & R2 & at_z).
+      destruct (near (Qmin r1 r2)) as (v & close & in_p & in_q); [now apply Q.min_glb_lt |].
+      pose proof (Q.le_min_l r1 r2). pose proof (Q.le_min_r r1 r2).
+      exists v. split; [exact in_p |]. apply at_z; [by_computing |]. apply at_y in in_q; [| by_computing].
+      pose proof (on_the_line _ f on_y). pose proof (on_the_line _ f on_z). by_computing.
+    - destruct (winding_number_near _ _ (region_cycles q) off_y) as (radius & R & same_near).
+      destruct (near radius R) as (v & close & _ & _ & round).
+      destruct (same_near (minus y v)) as [_ same_v]; [by_computing |].
+      assert (off_way : forall u, lies_on u (Segment (minus y w) (minus z w)) -> off u (region_edges q)).
+      { intros u (k & range & kx & ky) f F on. apply (off_y f F), (vertices_of_p_stay _ _ _ stay (plus u w) y); trivial.
+        - apply (common_part way y z); trivial. exists k. split; [exact range | by_computing].
+        - apply (lies_on_equal u); [by_computing | exact on]. }
+      destruct vertex as (s & S & equal).
+      apply interiors_meet_other_way, (inner_point_and_point q p z (minus z w) w);
         [now apply valid_is_regular | | | by_computing].
-      + split; [now apply off_all |]. rewrite <- same_number.
-        now rewrite <- (winding_number_of_equal (minus y (middle (Segment c d))) (minus y (mid y))) by by_computing.
-      + right. exists e. now destruct (facts z Z) as (_ & _ & mid_z & _).
-    - (* it stays on the same edge *)
-      destruct (edge_of_placed y q f' F') as (f & F & ->). destruct (long_reflected y e f) as [cross_is dot_is].
-      assert (on_z : lies_on (mid z) (reflected z f)).
-      { apply (parallel_runs y z f); trivial; [lra |]. now apply (lies_on_equal (middle (Segment c d))). }
-      destruct (facts z Z) as (_ & _ & mid_z & _), (no_vertex z Z) as [not_p not_q].
-      destruct (long_reflected z e f) as [cross_z dot_z]. pose proof (square_positive _ long) as square.
-      apply meet_inside_placed.
-      apply (left_of_both p (placed z q) e (reflected z f) (mid z) (Vector (- vy (along e)) (vx (along e)))); trivial.
-      1, 2: now apply placed_is_valid || (rewrite edges_of_placed; now apply in_map).
-      + unfold cross, dot in *; cbn [vx vy]. lra.
-      + set (F_ := along (reflected z f)) in *. unfold cross, dot in *; cbn [vx vy]. lra.
+      + split; [apply off_way, (target_lies_on (Segment _ _)) |].
+        pose proof (winding_number_along _ _ (region_cycles q) off_way) as same_number.
+        cbn [source target] in same_number.
+        lia.
+      + right. exists s. split; [exact S |]. apply (lies_on_equal (source s)); [now symmetry | apply source_lies_on].
   Qed.
 End OnTheWay.
 
@@ -310,11 +198,11 @@ Theorem meeting_stays (p q : region) (way : segment) (y z : vector) :
   lies_on y way -> lies_on z way -> interiors_meet y p q -> interiors_meet z p q.
 Proof.
   intros p_region q_region p_simple q_simple stay Y Z meet.
-  destruct (what_shows p (placed y q)) as [crossing_ | [(e & c & d & part) | (f & c & d & part)]]; trivial;
-    [now apply placed_is_valid | now apply placed_is_at_most_one | now apply meet_inside_placed | | |].
-  - now apply (crossing_stays p q way p_region q_region stay y z).
-  - now apply (part_stays p q way p_region q_region stay p_simple q_simple y z e c d).
-  - destruct (part_shows_reflected y p q f c d part) as (f' & part'). apply interiors_meet_other_way.
-    apply (part_stays q p way q_region p_region (contacts_stay_other_way p q way stay) q_simple p_simple y z
-      f' (minus y c) (minus y d)); trivial.
+  destruct (a_common_corner p q y p_region q_region meet) as (w & near & [of_p | [of_q | crossing_]]).
+  - now apply (vertex_stays p q way y z w).
+  - apply interiors_meet_other_way.
+    apply (vertex_stays q p way y z (minus y w)); trivial; [now apply contacts_stay_other_way |].
+    intros radius R. destruct (near radius R) as (v & close & in_p & in_q). exists (minus y v).
+    split; [by_computing |]. split; [exact in_q |]. apply (inside_equal v); [by_computing | exact in_p].
+  - now apply (crossing_stays p q way y z w).
 Qed.

@@ -59,6 +59,10 @@ Proof.
     (split; [lra |]); rewrite X, Y, X1, Y1, X2, Y2; split; ring.
 Qed.
 
+Lemma strictly_inside_equal (v w : vector) (s : segment) : equal_vectors v w -> strictly_inside v s ->
+  strictly_inside w s.
+Proof. intros [X Y] (k & range & kx & ky). exists k. rewrite <- X, <- Y. tauto. Qed.
+
 Lemma long_of_one_place (e f : segment) : of_one_place e f -> nonzero (along f) -> nonzero (along e).
 Proof.
   intros [[[X1 Y1] [X2 Y2]] | [[X1 Y1] [X2 Y2]]] long [X Y]; apply long; unfold along, minus in *; cbn [vx vy] in *;
@@ -71,97 +75,55 @@ Proof.
   intros [[[X1 Y1] [X2 Y2]] | [[X1 Y1] [X2 Y2]]] [a b]; rewrite X1, Y1, X2, Y2; split; lra.
 Qed.
 
-(* On a line through a point of the piece, in its direction. *)
-Lemma collinear_by_direction (e t : segment) (w : vector) :
-  lies_on w e -> lies_on w t -> cross (along e) (along t) == 0 -> collinear e t.
-Proof.
-  intros (k & _ & X & Y) (j & _ & U & V) parallel. unfold collinear. in_coordinates. split; by_equations.
-Qed.
-
 Lemma is_a_multiple (u v : vector) : nonzero u -> cross u v == 0 ->
   exists c, vx v == c * vx u /\ vy v == c * vy u.
 Proof. intros long parallel. apply multiple_of; [exact long | unfold cross in *; lra]. Qed.
 
-(* Two segments with a common point inside both, and no end of one inside the other, are in one place. *)
-Lemma same_place_ahead (e f : segment) (w : vector) (c : Q) :
-  0 < c -> vx (along f) == c * vx (along e) -> vy (along f) == c * vy (along e) ->
-  strictly_inside w e -> strictly_inside w f ->
-  ~ strictly_inside (source f) e -> ~ strictly_inside (target f) e ->
-  ~ strictly_inside (source e) f -> ~ strictly_inside (target e) f ->
-  equal_vectors (source e) (source f) /\ equal_vectors (target e) (target f).
-Proof.
-  intros some along_x along_y (k & k_range & kx & ky) (j & j_range & jx & jy) f_source f_target e_source e_target.
-  (* where points of f are along e *)
-  set (a := k - j * c). assert (0 < j * c) by (apply Qmult_lt_0_compat; lra).
-  assert (0 < (1 - j) * c) by (apply Qmult_lt_0_compat; lra). assert (a_range : a < 1 /\ 0 < a + c) by (unfold a; lra).
-  assert (same_x : forall l, (1 - l) * vx (source f) + l * vx (target f) ==
-    (1 - (a + l * c)) * vx (source e) + (a + l * c) * vx (target e))
-    by (intros l; unfold a; clear - kx jx along_x; in_coordinates; by_equations).
-  assert (same_y : forall l, (1 - l) * vy (source f) + l * vy (target f) ==
-    (1 - (a + l * c)) * vy (source e) + (a + l * c) * vy (target e))
-    by (intros l; unfold a; clear - ky jy along_y; in_coordinates; by_equations).
-  clearbody a. clear along_x along_y kx ky jx jy.
-  pose proof (same_x 0) as x0. pose proof (same_y 0) as y0. pose proof (same_x 1) as x1. pose proof (same_y 1) as y1.
-  assert (a_low : a <= 0) by (apply Qnot_lt_le; intros high; apply f_source; exists a; repeat split; lra).
-  assert (b_high : 1 <= a + c) by (apply Qnot_lt_le; intros low; apply f_target; exists (a + c); repeat split; lra).
-  assert (a_is : a == 0).
-  { destruct (Qlt_le_dec a 0) as [low |]; [exfalso | lra]. apply e_source. exists (- a / c).
-    assert (value : - a / c * c == - a) by (field; lra). split.
-    - split; [apply Qlt_shift_div_l; lra | apply Qlt_shift_div_r; lra].
-    - pose proof (same_x (- a / c)). pose proof (same_y (- a / c)). set (l := - a / c) in *. clearbody l.
-      split; by_equations. }
-  assert (c_is : c == 1).
-  { destruct (Qlt_le_dec 1 c) as [long |]; [exfalso | lra]. apply e_target. exists (1 / c).
-    assert (value : 1 / c * c == 1) by (field; lra). split.
-    - split; [apply Qlt_shift_div_l; lra | apply Qlt_shift_div_r; lra].
-    - pose proof (same_x (1 / c)). pose proof (same_y (1 / c)). set (l := 1 / c) in *. clearbody l.
-      split; by_equations. }
-  rewrite a_is, c_is in x0, y0, x1, y1. unfold equal_vectors. lra.
-Qed.
-
 Lemma reversed_place (f : segment) : of_one_place (reversed f) f.
 Proof. right. unfold reversed; cbn [source target]. repeat split; reflexivity. Qed.
 
+(* If f runs in the direction of e, with a point inside both, and no end of f is inside e, it reaches beyond e. *)
+Lemma reaches_beyond (e f : segment) (k j c : Q) : 0 < k < 1 -> 0 < j < 1 -> 0 < c ->
+  vx (along f) == c * vx (along e) -> vy (along f) == c * vy (along e) ->
+  equal_vectors (point_at e k) (point_at f j) -> ~ strictly_inside (source f) e -> ~ strictly_inside (target f) e ->
+  k <= j * c /\ 1 - k <= (1 - j) * c.
+Proof.
+  intros k_range j_range some along_x along_y [X Y] f_source f_target. unfold point_at in X, Y; cbn [vx vy] in X, Y.
+  assert (0 < j * c /\ 0 < (1 - j) * c) by (split; apply Qmult_lt_0_compat; lra).
+  split; apply Qnot_lt_le; intros inside_;
+    [apply f_source; exists (k - j * c) | apply f_target; exists (k + (1 - j) * c)];
+    (split; [lra |]); clear - X Y along_x along_y; in_coordinates; split; by_equations.
+Qed.
+
+(* Two segments with a common point inside both, and no end of one inside the other, are in one place. *)
 Lemma one_place (e f : segment) (w : vector) :
   nonzero (along e) -> nonzero (along f) -> cross (along e) (along f) == 0 ->
   strictly_inside w e -> strictly_inside w f ->
   ~ strictly_inside (source f) e -> ~ strictly_inside (target f) e ->
   ~ strictly_inside (source e) f -> ~ strictly_inside (target e) f -> of_one_place e f.
 Proof.
-  intros long_e long_f parallel in_e in_f a b c d. destruct (is_a_multiple _ _ long_e parallel) as (r & rx & ry).
+  intros long_e long_f parallel in_e in_f f_source f_target e_source e_target.
+  destruct (is_a_multiple _ _ long_e parallel) as (r & rx & ry).
+  assert (ahead : forall g c, 0 < c -> vx (along g) == c * vx (along e) -> vy (along g) == c * vy (along e) ->
+    strictly_inside w g -> ~ strictly_inside (source g) e -> ~ strictly_inside (target g) e ->
+    ~ strictly_inside (source e) g -> ~ strictly_inside (target e) g ->
+    equal_vectors (source e) (source g) /\ equal_vectors (target e) (target g)).
+  { intros g c some cx cy (j & j_range & jx & jy) g1 g2 e1 e2. destruct in_e as (k & k_range & kx & ky).
+    assert (same : equal_vectors (point_at e k) (point_at g j)) by (split; cbn [point_at vx vy]; lra).
+    assert (inverse : / c * c == 1) by (field; lra). pose proof (Qinv_lt_0_compat c some) as some'.
+    destruct (reaches_beyond e g k j c) as [a1 a2]; trivial.
+    destruct (reaches_beyond g e j k (/ c)) as [b1 b2]; trivial;
+      [rewrite cx, Qmult_assoc, inverse; ring | rewrite cy, Qmult_assoc, inverse; ring | now symmetry |].
+    apply (Qmult_le_compat_r _ _ c) in b1, b2; [| lra ..]. rewrite <- Qmult_assoc, inverse in b1, b2.
+    assert (c_is : c == 1) by lra. rewrite c_is in *. assert (j_is : j == k) by lra. rewrite j_is in *.
+    clear - kx ky jx jy cx cy. in_coordinates. split; split; by_equations. }
   destruct (Q_dec r 0) as [[low | high] | none].
-  - right. apply (same_place_ahead e (reversed f) w (- r)); trivial; try lra.
-    + in_coordinates. lra.
-    + in_coordinates. lra.
-    + now apply strictly_inside_reversed.
-    + intros inside_. apply c. apply strictly_inside_reversed in inside_. now rewrite reversed_twice in inside_.
-    + intros inside_. apply d. apply strictly_inside_reversed in inside_. now rewrite reversed_twice in inside_.
-  - left. now apply (same_place_ahead e f w r).
+  - assert (back : forall v, ~ strictly_inside v f -> ~ strictly_inside v (reversed f))
+      by (intros v out in_back; apply out; rewrite <- (reversed_twice f); now apply strictly_inside_reversed).
+    right. apply (ahead (reversed f) (- r)); auto using strictly_inside_reversed; in_coordinates; lra.
+  - left. now apply (ahead f r).
   - exfalso. apply long_f. rewrite rx, ry, none. split; ring.
 Qed.
-
-Lemma intersection_is_on_both (s f : segment) (p : vector) : In p (intersection s f) ->
-  lies_on p s /\ lies_on p f /\
-  ((p = source s \/ p = target s \/ p = source f \/ p = target f) \/ ~ cross (along s) (along f) == 0).
-Proof.
-  intros I. unfold intersection in I. destruct (sorted_points _) as [| a l] eqn:sorted.
-  - destruct (cross_properly s f) eqn:crossing_; [| destruct I]. destruct I as [<- | []].
-    destruct (proper_crossing s f crossing_) as (w & in_s & in_f & turn).
-    apply strictly_inside_lies_on in in_s, in_f. destruct (intersection_has s f w turn in_s in_f) as (q & J & equal).
-    unfold intersection in J. rewrite sorted, crossing_ in J. destruct J as [<- | []].
-    split; [now apply (lies_on_equal w) |]. split; [now apply (lies_on_equal w) | now right].
-  - rewrite <- sorted in I. apply sorted_in, in_app_iff in I.
-    destruct I as [I | I]; apply filter_In in I; destruct I as [end_ on]; cbn in end_.
-    + destruct (is_on_spec p f) as [on_f |]; [| discriminate]. split; [| intuition].
-      destruct end_ as [<- | [<- | []]]; [apply source_lies_on | apply target_lies_on].
-    + destruct (is_on_spec p s) as [on_s |]; [| discriminate]. split; [exact on_s |]. split; [| intuition].
-      destruct end_ as [<- | [<- | []]]; [apply source_lies_on | apply target_lies_on].
-Qed.
-
-Lemma intersection_is (s f : segment) (p : vector) : In p (intersection s f) ->
-  (p = source s \/ p = target s \/ p = source f \/ p = target f) \/
-  (lies_on p s /\ lies_on p f /\ ~ cross (along s) (along f) == 0).
-Proof. intros I. destruct (intersection_is_on_both s f p I) as (on_s & on_f & [ends | turn]); tauto. Qed.
 
 Lemma ends_of_a_piece (s piece : segment) (others : list segment) (p : vector) :
   In piece (cut_where_met s others) -> p = source piece \/ p = target piece ->
@@ -197,22 +159,18 @@ Section Pieces.
     In s1 segments -> In s2 segments -> In p1 (cut_where_met s1 segments) -> In p2 (cut_where_met s2 segments) ->
     p = source p1 \/ p = target p1 -> ~ strictly_inside p p2.
   Proof.
-    intros S1 S2 P1 P2 end_ inside_.
-    assert (itself : equal_vectors p p) by (split; reflexivity).
+    intros S1 S2 P1 P2 end_ inside_. pose proof (all_long s2 S2) as long.
     assert (no_end : forall f, In f segments -> p <> source f /\ p <> target f).
-    { intros f F. destruct (nothing_meets_a_piece s2 segments p2 f p (all_long s2 S2) P2 inside_ F) as (a & b & _).
-      split; intros equal; [apply a | apply b]; rewrite <- equal; exact itself. }
-    destruct (ends_of_a_piece s1 p1 segments p P1 end_) as [is_source | [is_target | (f & F & met)]].
-    - destruct (no_end s1 S1). congruence.
-    - destruct (no_end s1 S1). congruence.
-    - apply intersection_is in met. destruct met as [ends | (on_s1 & on_f & turn)].
-      + destruct (no_end s1 S1), (no_end f F). intuition congruence.
-      + destruct (nothing_meets_a_piece s2 segments p2 s1 p (all_long s2 S2) P2 inside_ S1) as (_ & _ & first_).
-        destruct (nothing_meets_a_piece s2 segments p2 f p (all_long s2 S2) P2 inside_ F) as (_ & _ & second_).
-        specialize (first_ on_s1). specialize (second_ on_f). apply turn.
-        destruct (is_a_multiple _ _ (all_long s2 S2) first_) as (a & ax & ay).
-        destruct (is_a_multiple _ _ (all_long s2 S2) second_) as (b & bx & by_).
-        unfold cross. rewrite ax, ay, bx, by_. ring.
+    { intros f F. destruct (nothing_meets_a_piece s2 segments p2 f p long P2 inside_ F) as (a & b & _).
+      split; intros ->; [now apply a | now apply b]. }
+    destruct (no_end s1 S1). destruct (ends_of_a_piece s1 p1 segments p P1 end_) as [| [| (f & F & met)]];
+      [contradiction .. |].
+    destruct (intersection_is_on_both s1 f p met) as (on_s1 & on_f & [ends | turn]); [destruct (no_end f F); tauto |].
+    apply turn. destruct (nothing_meets_a_piece s2 segments p2 s1 p long P2 inside_ S1) as (_ & _ & first_).
+    destruct (nothing_meets_a_piece s2 segments p2 f p long P2 inside_ F) as (_ & _ & second_).
+    destruct (is_a_multiple _ _ long (first_ on_s1)) as (a & ax & ay), (is_a_multiple _ _ long (second_ on_f))
+      as (b & bx & by_).
+    unfold cross. rewrite ax, ay, bx, by_. ring.
   Qed.
 
   Lemma piece_is (e : segment) : In e (pieces_of segments) ->
@@ -225,12 +183,6 @@ Section Pieces.
     destruct (cut_returns s (flat_map (intersection s) segments) (all_long s S)) as [parts _].
     destruct (parts piece I) as [part _].
     destruct (part_is_long piece s part (all_long s S)) as [long multiple_]. tauto.
-  Qed.
-
-  Lemma part_lies_on (piece s : segment) (w : vector) : nonzero (along s) -> is_part piece s -> lies_on w piece ->
-    lies_on w s.
-  Proof.
-    intros long part (k & range & X & Y). now destruct (point_of_part piece s w k long part range X Y).
   Qed.
 
   Theorem pieces_are_pieces : are_pieces segments (pieces_of segments).
@@ -246,12 +198,10 @@ Section Pieces.
       destruct (covers_ w on) as (piece & I & _ & on_piece). exists (undirected piece). split.
       + unfold pieces_of. apply nodup_In, in_flat_map. exists t. split; [exact J |]. now apply in_map.
       + exact (lies_on_of_one_place _ _ w (of_one_place_sym _ _ (undirected_place piece)) on_piece).
-    - intros e E w t inside_ J on. destruct (piece_is e E) as (s & piece & S & P & -> & part & _ & c & some & cx & cy).
+    - intros e E w t inside_ J on. destruct (piece_is e E) as (s & piece & S & P & -> & _).
       apply (strictly_inside_of_one_place _ _ w (undirected_place piece)) in inside_.
       apply (collinear_of_one_place _ piece); [apply undirected_place |].
-      destruct (nothing_meets_a_piece s segments piece t w (all_long s S) P inside_ J) as (_ & _ & parallel).
-      apply (collinear_by_direction piece t w); [now apply strictly_inside_lies_on | exact on |].
-      specialize (parallel on). clear - parallel cx cy. unfold cross in *. by_equations.
+      exact (pieces_are_met_only_along s segments piece (all_long s S) P w t inside_ J on).
     - intros before e after f w pieces_are F in_e in_f.
       assert (distinct_ : NoDup (pieces_of segments)) by apply NoDup_nodup.
       assert (E : In e (pieces_of segments)) by (rewrite pieces_are; apply in_app_iff; cbn; tauto).
@@ -297,17 +247,12 @@ Section Pieces.
     v = source e \/ v = target e -> ~ strictly_inside v f.
   Proof.
     intros E F end_ inside_.
-    destruct (piece_is e E) as (s1 & p1 & S1 & P1 & -> & _).
-    destruct (piece_is f F) as (s2 & p2 & S2 & P2 & -> & _).
+    destruct (piece_is e E) as (s1 & p1 & S1 & P1 & -> & _), (piece_is f F) as (s2 & p2 & S2 & P2 & -> & _).
     apply (strictly_inside_of_one_place _ _ v (undirected_place p2)) in inside_.
-    assert (end_of_p1 : equal_vectors v (source p1) \/ equal_vectors v (target p1)).
-    { destruct (undirected_place p1) as [[a b] | [a b]], end_ as [-> | ->]; tauto. }
-    assert (moved_ : forall w, equal_vectors v w -> strictly_inside w p2).
-    { intros w [X Y]. destruct inside_ as (k & range & kx & ky). exists k. split; [exact range |].
-      rewrite <- X, <- Y. tauto. }
-    destruct end_of_p1 as [equal | equal];
-      [apply (no_end_inside s1 s2 p1 p2 (source p1)) |
-       apply (no_end_inside s1 s2 p1 p2 (target p1))]; trivial; try tauto; now apply moved_.
+    assert (end_of_p1 : equal_vectors v (source p1) \/ equal_vectors v (target p1))
+      by (destruct (undirected_place p1) as [[a b] | [a b]], end_ as [-> | ->]; tauto).
+    destruct end_of_p1 as [equal | equal]; apply (strictly_inside_equal _ _ _ equal) in inside_;
+      revert inside_; apply (no_end_inside s1 s2 p1 p2); tauto.
   Qed.
 
   Definition no_common_inside (s t : segment) : Prop := forall w, strictly_inside w s -> ~ strictly_inside w t.
@@ -318,5 +263,16 @@ Section Pieces.
     intros E F differ w. destruct (in_split _ _ E) as (before & after & pieces_are).
     apply (pieces_are_apart _ _ pieces_are_pieces before e after f w pieces_are).
     rewrite pieces_are in F. apply in_elt_inv in F. destruct F as [-> | F]; [now destruct differ | exact F].
+  Qed.
+
+  (* A point inside a piece is on no other. *)
+  Lemma inside_one_piece (e f : segment) (w : vector) : In e (pieces_of segments) -> In f (pieces_of segments) ->
+    strictly_inside w e -> lies_on w f -> e = f.
+  Proof.
+    intros E F inside_ on. destruct (segment_dec e f) as [| differ]; [assumption | exfalso].
+    destruct (inside_or_end w f on) as [in_f | [equal | equal]];
+      [exact (different_pieces e f E F differ w inside_ in_f) | |];
+      symmetry in equal; apply (strictly_inside_equal _ _ _ equal) in inside_; revert inside_;
+      apply (no_vertex_is_inside f e); tauto.
   Qed.
 End Pieces.

@@ -5,7 +5,8 @@
    that of 3 m. Around what is in the smaller square the chains outside go once. *)
 From Coq Require Import QArith Qabs Qminmax Lqa ZArith Lia Bool List Permutation.
 From Oplus Require Import specification checker regions_and_sums homogeneous_points specification_bridge pieces
-  winding_number_of_the_sum collision_is_complete placed_collision sum_program sum_is_right sum_of_uncovered_pieces coordinates open_sum_program
+  winding_number_of_the_sum collision_is_complete placed_collision sum_program sum_is_right sum_of_uncovered_pieces
+    coordinates open_sum_program
   open_sums turned_chains inner_fit_program complement_in_a_frame.
 Import ListNotations.
 
@@ -381,16 +382,6 @@ Section InnerFit.
       destruct (same_ (as_vector z) close_z) as [_ same]. exact (fun zero_ => round (eq_trans (eq_sym same) zero_)).
   Qed.
 End InnerFit.
-
-(* Sums are regions of which one may ask for sums again. *)
-Lemma quick_sum_is_valid (p q : polygonal_region) : valid_region (as_region p) -> valid_region (as_region q) ->
-  valid_region (as_region (quick_sum p q)) /\ nowhere_above_one (as_region (quick_sum p q)).
-Proof.
-  intros p_region q_region. pose proof (quick_chains_are (as_region p) (as_region q) p_region q_region) as permuted.
-  apply polygonal_is_valid; [now apply (sums_are_valid (as_region p) (as_region q)) |]. intros x _.
-  rewrite (winding_number_of_chains (as_region p) (as_region q) _ p_region q_region permuted).
-  destruct (0 <? _)%Z; lia.
-Qed.
 
 Lemma half_turned_is_valid (b : region) : valid_region b -> nowhere_above_one b ->
   valid_region (as_region (as_polygonal (half_turned b))) /\

@@ -38,22 +38,6 @@ Proof.
   destruct (at_most (vy (source s)) (vy x)), (at_most (vy (target s)) (vy x)); try discriminate; reflexivity.
 Qed.
 
-Lemma strictly_inside_reversed (w : vector) (s : segment) : strictly_inside w s -> strictly_inside w (reversed s).
-Proof.
-  intros (k & range & X & Y). exists (1 - k). cbn [reversed source target]. split; [lra |].
-  rewrite X, Y. split; ring.
-Qed.
-
-Lemma reversed_twice (s : segment) : reversed (reversed s) = s.
-Proof. now destruct s. Qed.
-
-Lemma met_only_along_reversed (segments : list segment) (s : segment) :
-  met_only_along segments s -> met_only_along segments (reversed s).
-Proof.
-  intros only w t inside_ J on. apply strictly_inside_reversed in inside_. rewrite reversed_twice in inside_.
-  destruct (only w t inside_ J on) as [a b]. split; rewrite area_reversed; lra.
-Qed.
-
 (* No position is taken twice. *)
 Definition apart_from_all (pieces : list segment) : Prop :=
   forall before e after f w, pieces = before ++ e :: after -> In f (before ++ after) ->

@@ -5,7 +5,7 @@
 From Coq Require Import QArith Qminmax Lqa ZArith Lia Bool List Permutation.
 From Oplus Require Import specification checker regions_and_sums tracing theorem_2_2_10 theorem_2_2_6
   observation_2_2_4 lemma_2_2_2 test_of_regions homogeneous_points specification_bridge pieces filling
-  kept_pieces_go_round cut_pieces rule_of_sides region_of_pieces walks sum_program.
+  placed_collision kept_pieces_go_round cut_pieces rule_of_sides region_of_pieces walks sum_program.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -84,62 +84,73 @@ Section Equal.
   Variable h : vector -> vector.
   Hypothesis same : forall v, equal_vectors (h v) v.
 
-  Definition moved_ends (s : segment) : segment := Segment (h (source s)) (h (target s)).
-
-  Lemma edges_of_images (r : region) : region_edges (map (map h) r) = map moved_ends (region_edges r).
-  Proof.
-    unfold region_edges. induction r as [| c r IH]; [reflexivity |]. cbn [map flat_map]. rewrite map_app, IH. f_equal.
-    unfold edges. assert (rotated_ : rotated (map h c) = map h (rotated c))
-      by (destruct c; [reflexivity |]; cbn; now rewrite map_app).
-    rewrite rotated_. generalize (rotated c). clear rotated_ IH.
-    induction c as [| a c IH]; intros [| b l]; [reflexivity .. |]. cbn. now rewrite IH.
-  Qed.
-
   Lemma winding_number_of_images (x : vector) (l : list segment) :
-    winding_number x (map moved_ends l) = winding_number x l.
+    winding_number x (map (moved_ends h) l) = winding_number x l.
   Proof.
     unfold winding_number. rewrite map_map. f_equal. apply map_ext. intros [a b].
     apply signed_crossing_of_equal; [reflexivity | apply same ..].
   Qed.
 
   Lemma on_images (x : vector) (l : list segment) :
-    (exists s, In s (map moved_ends l) /\ lies_on x s) <-> (exists s, In s l /\ lies_on x s).
+    (exists s, In s (map (moved_ends h) l) /\ lies_on x s) <-> (exists s, In s l /\ lies_on x s).
   Proof.
     split.
     - intros (s & I & on). apply in_map_iff in I. destruct I as ([a b] & <- & I). exists (Segment a b).
       split; [exact I |]. refine (lies_on_of_equal x x _ _ a b _ _ _ on); [reflexivity | apply same ..].
-    - intros ([a b] & I & on). exists (moved_ends (Segment a b)). split; [now apply in_map |].
+    - intros ([a b] & I & on). exists (moved_ends h (Segment a b)). split; [now apply in_map |].
       refine (lies_on_of_equal x x a b _ _ _ _ _ on); [reflexivity | symmetry; apply same ..].
   Qed.
 End Equal.
 
+(* So the vertices of a region may be written in other ways. *)
+Lemma chains_as_points (x : vector) (chains : region) :
+  let written := region_edges (as_region (map (map as_point) chains)) in
+  ((exists s, In s written /\ lies_on x s) <-> (exists s, In s (region_edges chains) /\ lies_on x s)) /\
+  winding_number x written = winding_number x (region_edges chains).
+Proof.
+  set (h := fun v => vector_of (homogeneous (as_point v))).
+  assert (same : forall v, equal_vectors (h v) v)
+    by (intros v; unfold h; rewrite (homogeneous_is (as_point v)); split; reflexivity).
+  cbv zeta. unfold as_region. rewrite map_map, (map_ext _ (map h)) by (intros c; now rewrite map_map).
+  rewrite edges_of_images. split; [apply (on_images h same) | apply (winding_number_of_images h same)].
+Qed.
+
+(* The words of the specification. *)
+Lemma member_by_edges (x : point) (r : polygonal_region) :
+  member x r <-> (exists s, In s (region_edges (as_region r)) /\ lies_on (as_vector x) s) \/
+    winding_number (as_vector x) (region_edges (as_region r)) <> 0%Z.
+Proof. rewrite member_is, boundary_is. reflexivity. Qed.
+
+Lemma in_valid_region (x : vector) (r : region) : valid_region r ->
+  ((exists s, In s (region_edges r) /\ lies_on x s) \/ winding_number x (region_edges r) <> 0%Z <-> in_region x r).
+Proof.
+  intros (_ & not_negative & _). pose proof (nowhere_negative_everywhere _ not_negative x). unfold in_region.
+  intuition lia.
+Qed.
+
 Lemma member_of_region (x : point) (r : polygonal_region) : valid_region (as_region r) ->
   (member x r <-> in_region (as_vector x) (as_region r)).
-Proof.
-  intros (_ & not_negative & _). rewrite member_is, boundary_is. fold (as_region r). unfold in_region.
-  pose proof (nowhere_negative_everywhere _ not_negative (as_vector x)).
-  split; [intros [? | ?]; [tauto | left; lia] | intros [? | ?]; [right; lia | tauto]].
-Qed.
+Proof. rewrite member_by_edges. apply in_valid_region. Qed.
 
 Lemma member_of_chains (x : point) (chains : region) :
   member x (map (map as_point) chains) <->
   (exists s, In s (region_edges chains) /\ lies_on (as_vector x) s) \/
   winding_number (as_vector x) (region_edges chains) <> 0%Z.
-Proof.
-  rewrite member_is, boundary_is, map_map.
-  set (h := fun v => vector_of (homogeneous (as_point v))).
-  assert (same : forall v, equal_vectors (h v) v).
-  { intros v. unfold h. rewrite (homogeneous_is (as_point v)). split; reflexivity. }
-  rewrite (map_ext _ (map h)) by (intros c; now rewrite map_map).
-  rewrite edges_of_images. rewrite (on_images h same), (winding_number_of_images h same). reflexivity.
-Qed.
+Proof. rewrite member_by_edges. destruct (chains_as_points (as_vector x) chains) as [-> ->]. reflexivity. Qed.
 
 Lemma member_of_valid_chains (x : point) (chains : region) : valid_region chains ->
   (member x (map (map as_point) chains) <-> in_region (as_vector x) chains).
+Proof. rewrite member_of_chains. apply in_valid_region. Qed.
+
+Lemma sums_of_members (p q : polygonal_region) (x : point) : valid_region (as_region p) -> valid_region (as_region q) ->
+  ((exists a b, member a p /\ member b q /\ equal_points x (sum_of_points a b)) <->
+   in_sum (as_vector x) (as_region p) (as_region q)).
 Proof.
-  intros (_ & not_negative & _). rewrite member_of_chains. unfold in_region.
-  pose proof (nowhere_negative_everywhere _ not_negative (as_vector x)).
-  split; [intros [? | ?]; [tauto | left; lia] | intros [? | ?]; [right; lia | tauto]].
+  intros p_region q_region. split.
+  - intros (a & b & in_p & in_q & equal). exists (as_vector a), (as_vector b).
+    rewrite <- !member_of_region by assumption. now split.
+  - intros (a & b & in_p & in_q & equal). exists (as_point a), (as_point b).
+    rewrite !member_of_region, !as_vector_of_point by assumption. now split.
 Qed.
 
 (* Chains of what is kept, however they are found. *)
@@ -148,13 +159,7 @@ Theorem chains_are_the_sum (p q : polygonal_region) (chains : region) :
   Permutation (region_edges chains) (filled (convolution_segments (as_region p) (as_region q))) ->
   is_minkowski_sum p q (map (map as_point) chains).
 Proof.
-  intros p_region q_region permuted x.
+  intros p_region q_region permuted x. rewrite sums_of_members by assumption.
   rewrite member_of_valid_chains by exact (sums_are_valid _ _ chains p_region q_region permuted).
-  rewrite (points_of_the_sum _ _ chains p_region q_region permuted). split.
-  - intros (a & b & in_p & in_q & X & Y). exists (as_point a), (as_point b).
-    rewrite !member_of_region, !as_vector_of_point by assumption. split; [exact in_p |]. split; [exact in_q |].
-    split; [exact X | exact Y].
-  - intros (a & b & in_p & in_q & X & Y). exists (as_vector a), (as_vector b).
-    rewrite <- !member_of_region by assumption. split; [exact in_p |]. split; [exact in_q |].
-    split; [exact X | exact Y].
+  exact (points_of_the_sum _ _ chains p_region q_region permuted (as_vector x)).
 Qed.

@@ -50,12 +50,6 @@ Definition quick_sum (p q : polygonal_region) : polygonal_region :=
   map (map as_point) (chains_of (length f) f).
 
 (* What is left out is not met. *)
-Lemma what_intersects_meets (s t : segment) : intersection s t <> [] -> exists w, lies_on w s /\ lies_on w t.
-Proof.
-  destruct (intersection s t) as [| w l] eqn:common; [contradiction |]. intros _. exists w.
-  destruct (intersection_is_on_both s t w) as (on_s & on_t & _); [rewrite common; now left | now split].
-Qed.
-
 Lemma ranges_apart_is (a b c d u v : Q) : 0 <= u <= 1 -> 0 <= v <= 1 ->
   (1 - u) * a + u * b == (1 - v) * c + v * d -> ranges_apart a b c d = false.
 Proof.
@@ -71,13 +65,11 @@ Qed.
 
 Lemma quick_intersection_is (s t : segment) : quick_intersection s t = intersection s t.
 Proof.
-  unfold quick_intersection. destruct (boxes_apart s t) eqn:apart_; [| reflexivity].
-  destruct (intersection s t) as [| a l] eqn:common; [reflexivity | exfalso].
-  destruct (what_intersects_meets s t) as (w & (u & u_range & ux & uy) & (v & v_range & vx_ & vy_)).
-  { rewrite common. discriminate. }
-  unfold boxes_apart in apart_.
-  rewrite (ranges_apart_is _ _ _ _ u v u_range v_range), (ranges_apart_is _ _ _ _ u v u_range v_range) in apart_;
-    [discriminate | lra | lra].
+  unfold quick_intersection, boxes_apart. destruct (intersection s t) as [| w l] eqn:common; [now destruct (_ || _) |].
+  destruct (intersection_is_on_both s t w) as ((u & u_range & ux & uy) & (v & v_range & vx_ & vy_) & _);
+    [rewrite common; now left |].
+  rewrite (ranges_apart_is _ _ _ _ u v u_range v_range), (ranges_apart_is _ _ _ _ u v u_range v_range) by lra.
+  reflexivity.
 Qed.
 
 Lemma quick_cut_is (s : segment) (others : list segment) : quick_cut s others = cut_where_met s others.
@@ -172,20 +164,23 @@ Section ValidRegions.
     apply uncovered_pieces_are in I. apply nodup_In, in_flat_map. exists s. split; [exact S | now apply in_map].
   Qed.
 
-  Lemma others_are_not_kept (e : segment) : In e (pieces_of segments) -> ~ In e listed -> kept_piece (is_right_inside segments) e = [].
+  Lemma others_are_not_kept (e : segment) : In e (pieces_of segments) -> ~ In e listed ->
+    kept_piece (is_right_inside segments) e = [].
   Proof.
     intros E not_listed.
     destruct (piece_is segments segments_are_long e E) as (s & piece & S & P & e_is & part_ & long & _).
-    pose proof (middle_is_inside piece) as in_piece.
     pose proof (segments_are_long s S) as s_long.
-    destruct (inside_a_part piece s (middle piece) s_long part_ in_piece) as [on_s _].
-    destruct (fraction_on s _ s_long on_s) as (range & X & Y).
-    destruct (covered_is_inside_the_sum p q d s (fraction s (middle piece)) (middle piece)) as [found | inner]; trivial.
+    pose proof (strictly_inside_lies_on _ _ (middle_is_inside piece)) as on_piece.
+    destruct (fraction_on s _ s_long (part_lies_on piece s _ s_long part_ on_piece)) as (range & is_middle).
+    change (equal_vectors (middle piece) (point_at s (fraction s (middle piece)))) in is_middle.
+    destruct (covered_is_inside_the_sum p q d s (fraction s (middle piece))) as [found | inner]; trivial.
     { intros t which. apply ends_have_denominator, in_app_iff. rewrite in_app_iff. destruct which as [-> |]; tauto. }
     - exfalso. apply not_listed, in_flat_map. exists s. split; [exact S |]. rewrite e_is. apply in_map.
       now apply uncovered_pieces_are.
-    - apply (inner_pieces_are_not_kept e (middle piece)); trivial. rewrite e_is.
-      exact (strictly_inside_of_one_place _ _ _ (of_one_place_sym _ _ (undirected_place piece)) in_piece).
+    - refine (inner_pieces_are_not_kept e (point_at s _) E (strictly_inside_equal (middle piece) _ _ is_middle _)
+        inner).
+      rewrite e_is. apply (strictly_inside_of_one_place piece), middle_is_inside.
+      apply of_one_place_sym, undirected_place.
   Qed.
 
   (* Theorem. The same pieces are kept. *)

@@ -6,7 +6,7 @@
    which only saves time. *)
 From Coq Require Import QArith Qabs Qminmax Lqa Qfield ZArith Lia Bool List Permutation Orders Mergesort.
 From Oplus Require Import regions_and_sums in_out_degree right_of_an_edge specification_bridge theorem_2_2_10
-  coordinates.
+  parallelogram crossing_edges coordinates.
 Import ListNotations.
 
 Open Scope Z_scope.
@@ -111,7 +111,8 @@ Proof.
   assert (is_lcm : Zpos (multiple_of_both d b) = Z.lcm (Zpos d) (Zpos b)).
   { apply Z2Pos.id. pose proof (Z.lcm_nonneg (Zpos d) (Zpos b)).
     assert (Z.lcm (Zpos d) (Zpos b) <> 0) by (intros none; apply Z.lcm_eq_0 in none; lia). lia. }
-  rewrite is_lcm in of_both. split; [| intros a [<- | I]; [| exact (of_others a I)]]; (etransitivity; [| exact of_both]).
+  rewrite is_lcm in of_both. split; [| intros a [<- | I]; [| exact (of_others a I)]]; (etransitivity;
+    [| exact of_both]).
   - apply Z.divide_lcm_l.
   - apply Z.divide_lcm_r.
 Qed.
@@ -235,51 +236,31 @@ Proof.
   destruct (IH rest has') as [| (h & H & covers_)]; [now left | right; exists h; split; [now right | exact covers_]].
 Qed.
 
-(* The point w is strictly inside the parallelogram with a corner o and sides a and b. *)
-Definition is_inside_the_sum_of_two (o a b w : vector) : Prop :=
-  0 < cross (minus w o) b /\ cross (minus w o) b < cross a b /\ 0 < cross a (minus w o) /\
-  cross a (minus w o) < cross a b.
+(* The sum of a point inside one edge and one inside another, which is not parallel. *)
+Definition is_inside_the_sum_of_two (e f : segment) (w : vector) : Prop :=
+  exists g h, 0 < g < 1 /\ 0 < h < 1 /\ equal_vectors w (plus (point_at e g) (point_at f h)) /\
+    ~ cross (along e) (along f) == 0.
 
-(* Such a point is the sum of points inside the edges. *)
-Lemma as_sum_of_points (o a b w : vector) : is_inside_the_sum_of_two o a b w -> exists g h, 0 < g < 1 /\ 0 < h < 1 /\
-  vx w == vx o + g * vx a + h * vx b /\ vy w == vy o + g * vy a + h * vy b.
+(* The parallelogram of the edges goes round it, and round all points near it. *)
+Lemma inside_the_sum_of_two_edges (p q : region) (e f : segment) (w : vector) :
+  In e (region_edges p) -> In f (region_edges q) -> is_inside_the_sum_of_two e f w -> inner_point_of_sum w p q.
 Proof.
-  intros (i1 & i2 & j1 & j2). exists (cross (minus w o) b / cross a b), (cross a (minus w o) / cross a b).
-  split; [split; [apply Qlt_shift_div_l | apply Qlt_shift_div_r]; lra |].
-  split; [split; [apply Qlt_shift_div_l | apply Qlt_shift_div_r]; lra |].
-  assert (turn_ : ~ cross a b == 0) by lra. unfold cross, minus in *; cbn [vx vy] in *. split; field; exact turn_.
-Qed.
-
-(* And so are all points near. *)
-Lemma positive_near (w v : vector) (u : Q) : 0 < u ->
-  eventually (fun radius => forall y, within radius w y -> 0 < u + cross (minus y w) v).
-Proof.
-  intros some. pose proof (abs_bounds (vx v)). pose proof (abs_bounds (vy v)).
-  destruct (radius_for u (Qabs (vx v) + Qabs (vy v)) some) as (limit & L & small); [lra |].
-  exists limit. split; [exact L |]. intros radius R less y [near_x near_y].
-  pose proof (product_bounds _ (vy v) radius near_x). pose proof (product_bounds _ (vx v) radius near_y).
-  unfold cross, minus; cbn [vx vy]. nra.
-Qed.
-
-Lemma inside_the_sum_of_two_edges (p q : region) (e f : segment) (w a b : vector) :
-  In e (region_edges p) -> In f (region_edges q) -> (a = along e /\ b = along f) \/ (a = along f /\ b = along e) ->
-  is_inside_the_sum_of_two (plus (source e) (source f)) a b w -> inner_point_of_sum w p q.
-Proof.
-  intros E F sides (i1 & i2 & j1 & j2). set (o := plus (source e) (source f)) in *.
-  destruct (some_small _
-    (eventually_and _ _ (eventually_and _ _ (positive_near w b _ i1) (positive_near w (opposite a) _ j1))
-      (eventually_and _ _ (positive_near w (opposite b) (cross a b - cross (minus w o) b) ltac:(lra))
-        (positive_near w a (cross a b - cross a (minus w o)) ltac:(lra)))))
-    as (radius & R & (near_1 & near_2) & near_3 & near_4).
-  exists radius. split; [exact R |]. intros y close.
-  specialize (near_1 y close). specialize (near_2 y close). specialize (near_3 y close). specialize (near_4 y close).
-  destruct (as_sum_of_points o a b y) as (g & h & g_range & h_range & X & Y);
-    [unfold is_inside_the_sum_of_two; to_coordinates; lra |].
-  assert (on_edge : forall r s k, In s (region_edges r) -> 0 < k < 1 -> in_region (point_at s k) r)
-    by (intros r s k S range; right; exists s; split; [exact S | apply point_at_lies_on; lra]).
-  unfold o in *. clear i1 i2 j1 j2 near_1 near_2 near_3 near_4 o. destruct sides as [[-> ->] | [-> ->]];
-    [exists (point_at e g), (point_at f h) | exists (point_at e h), (point_at f g)];
-    (split; [now apply on_edge |]; split; [now apply on_edge | by_computing]).
+  intros E F (g & h & g_range & h_range & equal & turn).
+  assert (once : forall i j, equal_vectors w (plus (point_at e i) (point_at f j)) -> g == i /\ h == j).
+  { intros i j equal'. split; apply (Qmult_inj_r _ _ _ turn); destruct equal, equal'; clear - H H0 H1 H2;
+      to_coordinates; by_equations. }
+  assert (general : not_sum_of_an_end w e f).
+  { repeat split; intros (k & _ & X & Y);
+      [destruct (once 0 k) | destruct (once 1 k) | destruct (once k 0) | destruct (once k 1)]; try lra; by_computing. }
+  destruct (winding_number_near w (parallelogram e f) (closed_chain_cycles _) (off_parallelogram w e f general))
+    as (radius & R & near).
+  exists radius. split; [exact R |]. intros y close. destruct (near y close) as [_ same_number].
+  destruct (parallelogram_winding_number y e f) as [none | [_ (a & b & on_a & on_b & sum_)]].
+  - exfalso. destruct (crossing_edges_count w e f); trivial; try lia;
+      [intros [X Y]; apply turn; unfold cross; rewrite X, Y; ring .. |].
+    exists (point_at e g), (point_at f h). split; [apply point_at_lies_on; lra |].
+    split; [apply point_at_lies_on; lra | exact equal].
+  - exists a, b. split; [right; now exists e |]. split; [right; now exists f | exact sum_].
 Qed.
 
 Lemma in_sums_of_edges (d : denominator) (p q : list segment) (g : sum_of_two) : In g (sums_of_edges d p q) ->
@@ -297,64 +278,66 @@ Lemma along_stands_for (d : denominator) (s : segment) : ends_stand d s ->
 Proof. intros [from to]. apply minus_stands_for; now apply scaled_is. Qed.
 
 Lemma sum_of_edges_is (d : denominator) (e f : segment) (g : sum_of_two) : ends_stand d e -> ends_stand d f ->
-  In g (sum_of_edges d e f) -> exists a b, (a = along e /\ b = along f \/ a = along f /\ b = along e) /\
-    stands_for d (its_corner g) (plus (source e) (source f)) /\ stands_for d (side_1 g) a /\
-    stands_for d (side_2 g) b /\ inject_Z (its_size g) == inject_Z (Zpos d) * inject_Z (Zpos d) * cross a b.
+  In g (sum_of_edges d e f) -> exists a b, (a = e /\ b = f \/ a = f /\ b = e) /\
+    stands_for d (its_corner g) (plus (source a) (source b)) /\ stands_for d (side_1 g) (along a) /\
+    stands_for d (side_2 g) (along b) /\
+    inject_Z (its_size g) == inject_Z (Zpos d) * inject_Z (Zpos d) * cross (along a) (along b).
 Proof.
   intros e_is f_is G.
   pose proof (along_stands_for d e e_is) as e_along. pose proof (along_stands_for d f f_is) as f_along.
   pose proof (plus_stands_for d _ _ _ _ (scaled_is d _ (proj1 e_is)) (scaled_is d _ (proj1 f_is))) as start_.
   pose proof (cross_stands_for d _ _ _ _ e_along f_along) as size_. unfold sum_of_edges in G.
   destruct (whole_cross _ _) as [| m | m]; [destruct G | |]; destruct G as [<- | []];
-    [exists (along e), (along f) | exists (along f), (along e)]; cbn [its_corner side_1 side_2 its_size];
-    repeat (split; [tauto |]); [exact size_ |].
+    [exists e, f | exists f, e]; cbn [its_corner side_1 side_2 its_size]; repeat (split; [tauto |]);
+    [exact size_ |].
+  destruct start_ as [start_x start_y]. split; [split; [rewrite start_x | rewrite start_y]; by_computing |].
+  repeat (split; [tauto |]).
   change (inject_Z (Zneg m)) with (- inject_Z (Zpos m)) in size_. unfold cross in *. lra.
 Qed.
 
 (* Theorem. What is not in the parts that are returned is inside the sum of two edges. *)
-Theorem covered_is_inside_a_sum_of_two (of_p of_q : list segment) (d : denominator) (s : segment) (k : Q) (w : vector) :
-  (forall t, t = s \/ In t of_p \/ In t of_q -> has_denominator d (source t) /\ has_denominator d (target t)) ->
-  0 <= k <= 1 -> vx w == (1 - k) * vx (source s) + k * vx (target s) ->
-  vy w == (1 - k) * vy (source s) + k * vy (target s) ->
+Theorem covered_is_inside_a_sum_of_two (of_p of_q : list segment) (d : denominator) (s : segment) (k : Q) :
+  (forall t, t = s \/ In t of_p \/ In t of_q -> ends_stand d t) -> 0 <= k <= 1 ->
   (exists part_, In part_ (uncovered_parts d (sums_of_edges d of_p of_q) s) /\ is_in_part k part_) \/
-  exists e f a b, In e of_p /\ In f of_q /\ (a = along e /\ b = along f \/ a = along f /\ b = along e) /\
-    is_inside_the_sum_of_two (plus (source e) (source f)) a b w.
+  exists e f, In e of_p /\ In f of_q /\ is_inside_the_sum_of_two e f (point_at s k).
 Proof.
-  intros divides range X Y.
+  intros divides range.
   destruct (uncovered_is (scaled d (source s)) (whole_minus (scaled d (target s)) (scaled d (source s))) k
     (sums_of_edges d of_p of_q) [(0, 1)]) as [found | (g & G & [[c1 c2] [c3 c4]])];
     [exists (0, 1); split; [now left | exact range] | now left | right].
-  apply in_sums_of_edges in G. destruct G as (e & f & E & F & G).
+  apply in_sums_of_edges in G. destruct G as (e & f & E & F & G). exists e, f. split; [exact E |]. split; [exact F |].
   destruct (sum_of_edges_is d e f g (divides e ltac:(tauto)) (divides f ltac:(tauto)) G)
     as (a & b & sides & corner_ & a_is & b_is & size_is).
   pose proof (divides s (or_introl eq_refl)) as s_is. pose proof (along_stands_for d s s_is) as s_along.
   pose proof (minus_stands_for d _ _ _ _ (scaled_is d _ (proj1 s_is)) corner_) as from_.
-  exists e, f, a, b. split; [exact E |]. split; [exact F |]. split; [exact sides |].
-  set (o := plus (source e) (source f)) in *.
   rewrite (cross_stands_for d _ _ _ _ from_ b_is), (cross_stands_for d _ _ _ _ s_along b_is) in c1, c2.
   rewrite (cross_stands_for d _ _ _ _ a_is from_), (cross_stands_for d _ _ _ _ a_is s_along) in c3, c4.
-  rewrite size_is in c2, c4. clear - X Y c1 c2 c3 c4. clearbody o.
-  assert (w_b : cross (minus w o) b == cross (minus (source s) o) b + k * cross (along s) b)
-    by (unfold cross, along, minus; cbn [vx vy]; rewrite X, Y; ring).
-  assert (a_w : cross a (minus w o) == cross a (minus (source s) o) + k * cross a (along s))
-    by (unfold cross, along, minus; cbn [vx vy]; rewrite X, Y; ring).
+  rewrite size_is in c2, c4. clear - c1 c2 c3 c4 sides. set (o := minus (point_at s k) (plus (source a) (source b))).
   assert (some : 0 < inject_Z (Zpos d) * inject_Z (Zpos d)) by reflexivity.
   set (unit_ := inject_Z (Zpos d) * inject_Z (Zpos d)) in *.
-  unfold is_inside_the_sum_of_two. rewrite w_b, a_w. repeat split; apply (Qmult_lt_l _ _ unit_ some); lra.
+  set (D := cross (along a) (along b)) in *. set (u := cross o (along b)). set (v := cross (along a) o).
+  assert (u_is : u == cross (minus (source s) (plus (source a) (source b))) (along b) + k * cross (along s) (along b))
+    by (unfold u, o; by_computing).
+  assert (v_is : v == cross (along a) (minus (source s) (plus (source a) (source b))) + k * cross (along a) (along s))
+    by (unfold v, o; by_computing).
+  assert (u_range : 0 < u < D) by (rewrite u_is; split; apply (Qmult_lt_l _ _ unit_ some); lra).
+  assert (v_range : 0 < v < D) by (rewrite v_is; split; apply (Qmult_lt_l _ _ unit_ some); lra).
+  assert (fraction_ : forall n, 0 < n < D -> 0 < n / D < 1)
+    by (intros n n_range; split; [apply Qlt_shift_div_l | apply Qlt_shift_div_r]; lra).
+  assert (equal : equal_vectors (point_at s k) (plus (point_at a (u / D)) (point_at b (v / D)))).
+  { clear - u_range. assert (turn : ~ D == 0) by lra. unfold u, v, D, o in *. to_coordinates.
+    split; field; exact turn. }
+  pose proof (fraction_ u u_range). pose proof (fraction_ v v_range).
+  destruct sides as [[-> ->] | [-> ->]]; [exists (u / D), (v / D) | exists (v / D), (u / D)];
+    (split; [assumption |]; split; [assumption |]; split; [by_computing | unfold D, cross in *; lra]).
 Qed.
 
 (* So it is inside the sum. *)
-Corollary covered_is_inside_the_sum (p q : region) (d : denominator) (s : segment) (k : Q) (w : vector) :
-  (forall t, t = s \/ In t (region_edges p) \/ In t (region_edges q) ->
-    has_denominator d (source t) /\ has_denominator d (target t)) ->
-  0 <= k <= 1 -> vx w == (1 - k) * vx (source s) + k * vx (target s) ->
-  vy w == (1 - k) * vy (source s) + k * vy (target s) ->
+Corollary covered_is_inside_the_sum (p q : region) (d : denominator) (s : segment) (k : Q) :
+  (forall t, t = s \/ In t (region_edges p) \/ In t (region_edges q) -> ends_stand d t) -> 0 <= k <= 1 ->
   (exists part_, In part_ (uncovered_parts d (sums_of_edges d (region_edges p) (region_edges q)) s) /\
-    is_in_part k part_) \/
-  inner_point_of_sum w p q.
+    is_in_part k part_) \/ inner_point_of_sum (point_at s k) p q.
 Proof.
-  intros divides range X Y.
-  destruct (covered_is_inside_a_sum_of_two _ _ d s k w divides range X Y)
-    as [found | (e & f & a & b & E & F & sides & inside_)]; [now left | right].
-  now apply (inside_the_sum_of_two_edges p q e f w a b).
+  intros divides range. destruct (covered_is_inside_a_sum_of_two _ _ d s k divides range)
+    as [found | (e & f & E & F & inside_)]; [now left | right]. now apply (inside_the_sum_of_two_edges p q e f).
 Qed.

@@ -6,7 +6,8 @@ From Coq Require Import QArith Lqa Qfield ZArith Lia Bool List.
 From Oplus Require Import specification checker direction angle angular_crossings distinct winding_number shifted_ray
   small_numbers signed_crossings rotation in_out_degree regions meeting_of_segments weight winding_number_of_the_sum
   interiors_meet neighbourhoods left_of_an_edge right_of_an_edge theorem_4_2_1 observation_2_2_4 homogeneous_points
-  specification_bridge location pieces test_of_regions collision_is_sound collision_is_complete checked_collision
+  specification_bridge location pieces met_pieces test_of_regions collision_is_sound collision_is_complete
+  placed_collision checked_collision
   beside_a_piece cut_pieces kept_pieces_balance walks sum_program sum_is_right inner_fit_program complement_in_a_frame
   touching_vertices.
 Import ListNotations.
@@ -107,7 +108,7 @@ Proof.
       unfold area, cross, along, minus in *; cbn [vx vy] in *; nra).
     all: destruct (negative_spec (area t (source s))), (negative_spec (- area t (source s))),
       (negative_spec (area t (target s))), (negative_spec (- area t (target s))); try discriminate two; try lra.
-    all: destruct (proper_crossing s t) as (w & in_s & in_t & _); [| apply (none w in_s); now apply
+    all: destruct (crossing_point_is s t) as (in_s & in_t & _); [| apply (none _ in_s); now apply
       strictly_inside_lies_on].
     all: unfold cross_properly; rewrite !orientation_by_area; destruct s as [s1 s2], t as [t1 t2]; cbn [source
       target] in *.

@@ -61,6 +61,22 @@ Proof. intros [a b] (k & _ & X & Y). in_coordinates. by_equations. Qed.
 Definition met_only_along (segments : list segment) (s : segment) : Prop :=
   forall w t, strictly_inside w s -> In t segments -> lies_on w t -> collinear s t.
 
+Lemma strictly_inside_reversed (w : vector) (s : segment) : strictly_inside w s -> strictly_inside w (reversed s).
+Proof.
+  intros (k & range & X & Y). exists (1 - k). cbn [reversed source target]. split; [lra |].
+  rewrite X, Y. split; ring.
+Qed.
+
+Lemma reversed_twice (s : segment) : reversed (reversed s) = s.
+Proof. now destruct s. Qed.
+
+Lemma met_only_along_reversed (segments : list segment) (s : segment) :
+  met_only_along segments s -> met_only_along segments (reversed s).
+Proof.
+  intros only w t inside_ J on. apply strictly_inside_reversed in inside_. rewrite reversed_twice in inside_.
+  destruct (only w t inside_ J on) as [a b]. split; rewrite area_reversed; lra.
+Qed.
+
 Definition value_to_the_right (segments : list segment) (s : segment) (w : vector) (number : Z) : Prop :=
   exists radius, 0 < radius /\ forall y, within radius w y -> area s y < 0 -> winding_number y segments = number.
 
