@@ -6,7 +6,7 @@
    pass. *)
 From Coq Require Import QArith Qminmax Lqa Qfield ZArith Lia Bool List Arith.
 From Oplus Require Import regions_and_sums observation_2_2_4 right_of_an_edge inside_a_corner small_polygons
-  boundary_points interiors_at_touching_points location.
+  boundary_points location.
 Import ListNotations.
 
 Open Scope Q_scope.
