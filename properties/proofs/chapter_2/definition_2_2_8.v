@@ -6,7 +6,7 @@
    means in rotation.v, that edges do not all have one direction in sizes_of_cycles.v. *)
 From Coq Require Import PeanoNat Lia Bool List.
 From Oplus Require Import numbers convolution rotation tracing sizes_of_cycles secants segments_apart simple_chain
-  tangent_direction parallel_edges.
+  tangent_direction.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -228,26 +228,24 @@ Inductive comes_to_a_turn (go : nat -> nat) : nat -> Prop :=
 | turns_here i : ~ straight_at i -> comes_to_a_turn go i
 | turns_later i : comes_to_a_turn go (go i) -> comes_to_a_turn go i.
 
-Lemma turns_somewhere : chain <> [] -> exists i, (i < n)%nat /\ ~ straight_at i.
-Proof. exact (some_vertex_turns chain (turning_chains_have_edges chain turning)). Qed.
-
-Lemma comes_to_it go t i : ~ straight_at (Nat.iter t go i) -> comes_to_a_turn go i.
+Lemma turns_all_along t : forall i, (i < n)%nat ->
+  (comes_to_a_turn (fun k => next k n) ((i + t) mod n) -> comes_to_a_turn (fun k => next k n) i) /\
+  (comes_to_a_turn (previous n) i -> comes_to_a_turn (previous n) ((i + t) mod n)).
 Proof.
-  revert i. induction t as [| t IH]; intros i turn; [now apply turns_here |].
-  apply turns_later, IH. now rewrite iterated_first.
+  induction t as [| t IH]; intros i I; [rewrite Nat.add_0_r, Nat.mod_small by exact I; tauto |].
+  rewrite <- next_is_modulo by exact I. destruct (IH _ (next_in_range i n I)) as [ahead back].
+  split; intros turn; [now apply turns_later, ahead |]. apply back, turns_later. now rewrite previous_next.
 Qed.
 
-Lemma turns_further_on i : chain <> [] -> (i < n)%nat -> comes_to_a_turn (fun k => next k n) i.
+Lemma turns_both_ways i : (i < n)%nat ->
+  comes_to_a_turn (fun k => next k n) i /\ comes_to_a_turn (previous n) i.
 Proof.
-  intros some I. destruct (turns_somewhere some) as (j & J & turn).
-  destruct (some_steps_forward n i j I J) as (t & reached). apply (comes_to_it _ t). now rewrite reached.
-Qed.
-
-Lemma turned_further_back i : chain <> [] -> (i < n)%nat -> comes_to_a_turn (previous n) i.
-Proof.
-  intros some I. destruct (turns_somewhere some) as (j & J & turn).
-  destruct (some_steps_forward n j i J I) as (t & <-). apply (comes_to_it _ t).
-  now rewrite (steps_back n j t J : Nat.iter t (previous n) (Nat.iter t (fun k => next k n) j) = j).
+  intros I. destruct (some_vertex_turns chain (turning_chains_have_edges chain turning)) as (j & J & turn);
+    [intros none; unfold n in I; rewrite none in I; cbn in I; lia |].
+  destruct (every_index i n n I (Nat.le_refl n) j J) as (t & _ & to_j).
+  destruct (every_index j n n J (Nat.le_refl n) i I) as (s & _ & from_j). split.
+  - apply (turns_all_along t i I). rewrite to_j. now apply turns_here.
+  - rewrite <- from_j. apply (turns_all_along s j J). now apply turns_here.
 Qed.
 
 End Chain.
@@ -494,8 +492,8 @@ Lemma sum_along_two_edges i j s r x : (i < n)%nat -> (j < m)%nat ->
   equal_vectors x (plus (point_along p i s) (point_along q j r)) -> on_a_tie (edge_of_chain p i) x.
 Proof.
   intros I J same range_s range_r. apply (two_edges_are_covered (next i n)) with (j := j); trivial; try reflexivity.
-  - apply turns_further_on; trivial; [intros none; subst p; cbn in I; lia | now apply next_in_range].
-  - apply turned_further_back; trivial. intros none. subst q. cbn in J. lia.
+  - now apply turns_both_ways, next_in_range.
+  - now apply turns_both_ways.
 Qed.
 
 Lemma sum_of_two_edges i j s r x : (i < n)%nat -> (j < m)%nat ->

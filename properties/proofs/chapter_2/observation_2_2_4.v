@@ -1,9 +1,9 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Observation 2.2.4: around the sum of a point inside an edge of P and any point of Q, a half square, to the left of
    the edge, is in the sum. The point inside the edge is no vertex of P: the observation is false where
-   another chain touches the edge (docs/findings.md). What is left of an edge is from left_of_an_edge.v. *)
+   another chain touches the edge (docs/findings.md). What is left of an edge is from inside_a_corner.v. *)
 From Coq Require Import ZArith Lia Bool List.
-From Oplus Require Import numbers regions_and_sums theorem_2_2_10.
+From Oplus Require Import numbers regions_and_sums inside_a_corner theorem_2_2_10.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -57,30 +57,14 @@ Theorem half_square_beside_an_edge (r : region) (s : segment) (w : vector) :
   exists radius, 0 < radius /\ forall z, within radius w z ->
     (0 < area s z -> inside z r) /\ (area s z == 0 -> lies_on z s).
 Proof.
-  intros (not_points & valid & meet) I on no_vertex.
-  pose proof (region_edges_are_directions r not_points s I) as long.
-  destruct (no_other_edge_near r s w meet I on no_vertex) as (earlier & later & r1 & _ & R1 & near_1).
+  intros r_region I on no_vertex. pose proof (region_edges_are_directions r (proj1 r_region) s I) as long.
+  destruct (fills_left_beside_an_edge r s w r_region I on no_vertex) as (r1 & R1 & near_1).
   destruct (on_its_edge_near s w (strictly_between r s w long I on no_vertex)) as (r2 & R2 & near_2).
-  set (n := Vector (- vy (along s)) (vx (along s))).
-  pose proof (left_normal s long) as left_. fold n in left_.
-  destruct (some_small _ (eventually_and _ _ (left_of_an_edge_is_inside r s w n valid meet I on no_vertex left_)
-    (small_steps_stay_within r1 w n R1))) as (e & e_positive & start_inside & start_near).
-  set (start := moved_along w n e) in *.
-  assert (start_left : 0 < area s start).
-  { setoid_replace (area s start) with (e * cross (along s) n + area s w) by (unfold start; by_coordinates).
-    rewrite (on_the_line w s on). nra. }
   exists (Qmin r1 r2). split; [now apply Q.min_glb_lt |]. intros z close.
-  assert (close_1 : within r1 w z) by (refine (within_smaller _ _ _ _ _ close); apply Q.le_min_l).
-  assert (close_2 : within r2 w z) by (refine (within_smaller _ _ _ _ _ close); apply Q.le_min_r).
-  split; [intros z_left | now apply near_2].
-  assert (free_way : forall v, lies_on v (Segment start z) -> off v (region_edges r)).
-  { intros v on_way. apply near_1; [now apply (within_along r1 w start z) |].
-    pose proof (area_between (reversed s) start z v) as left_v. rewrite !area_reversed in left_v.
-    specialize (left_v ltac:(lra) ltac:(lra) on_way). lra. }
-  split.
-  - apply free_way. exists 1. cbn [source target]. split; [lra |]. split; ring.
-  - pose proof (winding_number_along (Segment start z) _ (region_cycles r) free_way) as same_number.
-    cbn [source target] in same_number. rewrite <- same_number. apply start_inside.
+  split; [intros left_; apply near_1 | apply near_2].
+  - refine (within_smaller _ _ _ _ _ close). apply Q.le_min_l.
+  - now rewrite <- area_from.
+  - refine (within_smaller _ _ _ _ _ close). apply Q.le_min_r.
 Qed.
 
 (* Theorem, Observation 2.2.4. w is a point of the edge e of P and no vertex, u any point of Q. All points near w + u

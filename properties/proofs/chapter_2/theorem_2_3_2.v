@@ -16,13 +16,15 @@ Lemma inside_a_reflex_vertex (r : region) (f_in f_out : segment) :
   valid_region r -> meet_in_vertex f_in f_out r -> cross (along f_in) (along f_out) < 0 ->
   has_segment r (source f_out) (minus (along f_in) (along f_out)).
 Proof.
-  intros r_valid vertex right_turn. pose proof vertex as (_ & J & _).
-  destruct (inside_a_corner r f_in f_out (minus (along f_in) (along f_out)) r_valid vertex) as (len & L & near).
-  - right. split; [exact right_turn |]. left. unfold cross, minus in *; cbn [vx vy] in *. lra.
-  - exists len. split; [exact L |]. intros t t0 t1. destruct (Qlt_le_dec 0 t) as [some | none].
-    + now apply inside_is_in_region, near.
-    + right. exists f_out. split; [exact J |]. assert (t_is : t == 0) by lra. exists 0.
-      unfold moved_along; cbn [vx vy]. rewrite t_is. split; [lra |]. split; ring.
+  intros r_valid vertex right_turn. pose proof vertex as (_ & J & _). set (n := minus (along f_in) (along f_out)).
+  destruct (fills_left_at_a_vertex r f_in f_out r_valid vertex) as [(radius & R & fills) _]; [lra |].
+  destruct (small_steps_stay_within radius (source f_out) n R) as (len & L & near).
+  exists len. split; [exact L |]. intros t t0 t1. destruct (Qlt_le_dec 0 t) as [some | none].
+  - apply inside_is_in_region, fills; [now apply near |].
+    setoid_replace (cross (along f_in) (minus (moved_along (source f_out) n t) (source f_out)))
+      with (t * - cross (along f_in) (along f_out)) by (unfold n; by_coordinates). nra.
+  - right. exists f_out. split; [exact J |]. assert (t_is : t == 0) by lra. exists 0.
+    unfold moved_along; cbn [vx vy]. rewrite t_is. split; [lra |]. split; ring.
 Qed.
 
 Lemma inner_point_equal (x y : vector) (p q : region) :
@@ -126,23 +128,14 @@ Proof.
   pose proof (interiors_meet_means_positive_winding_number p q z p_edges q_edges p_valid q_valid meet) as round.
   set (lines := Segment y x :: flat_map (fun s => [Segment y (source s); Segment y (target s)])
     (convolution_segments p q)).
-  assert (off_line : forall t, In t lines -> eventually (fun e => ~ area t (moved (shifted z) e) == 0)).
-  { intros t I. assert (long : nonzero (along t)).
-    { destruct I as [<- | I].
-      - intros [X Y]. apply out. unfold along, minus in X, Y; cbn [source target vx vy] in X, Y.
-        destruct in_x as (a & b & in_a & in_b & X' & Y'). exists a, b. split; [exact in_a |]. split; [exact in_b |].
-        split; lra.
-      - apply in_flat_map in I. destruct I as (s & I & J). destruct (ends_are_not y s (off_y s I)) as [long_1 long_2].
-        destruct J as [<- | [<- | []]]; assumption. }
-    refine (eventually_implied _ _ _ (side_of_segment_nearby z t long)).
-    intros e [_ off_line] on_line. apply off_line. rewrite orientation_by_area. destruct t.
-    now apply (proj1 (Qeq_alt _ _)). }
-  destruct (eventually_and _ _ (shifted_stays_within _ z half) (eventually_and _ _
-    (same_beside z (convolution_segments p q)) (eventually_and _ _
-    (eventually_for_all _ (convolution_segments p q) (fun s _ => shifted_off z s))
-    (eventually_for_all _ lines off_line)))) as (limit & L & all).
-  destruct (all ((1 # 2) * limit)) as (near_z' & same_number & off_z & off_lines); [lra | lra |].
-  set (z' := moved (shifted z) ((1 # 2) * limit)) in *. clearbody z'. clear all off_line.
+  destruct (point_beside z _ (convolution_segments p q) lines half)
+    as (z' & near_z' & same_number & off_z & off_lines).
+  { intros t [<- | I].
+    - intros [X Y]. apply out. unfold along, minus in X, Y; cbn [source target vx vy] in X, Y.
+      destruct in_x as (a & b & in_a & in_b & X' & Y'). exists a, b. split; [exact in_a |]. split; [exact in_b |].
+      split; lra.
+    - apply in_flat_map in I. destruct I as (s & I & J). destruct (ends_are_not y s (off_y s I)) as [long_1 long_2].
+      destruct J as [<- | [<- | []]]; assumption. }
   pose proof (within_twice ((1 # 2) * radius) ((1 # 2) * radius) radius x z z' ltac:(lra) near_z near_z') as close_z.
   set (u := minus z' y).
   assert (at_start : equal_vectors y (moved_along y u 0)) by (split; unfold moved_along; cbn [vx vy]; ring).
@@ -171,7 +164,7 @@ Proof.
     destruct (common_point_is_on_the_reduced_convolution p q c p_region q_region) as (s & S & on).
     + intros meet_c. apply (inner_points_are_not_on_the_boundary p q c); [| exact boundary_t].
       now apply interiors_meet_means_inner_point.
-    + now apply no_vertices.
+    + intros w v of_p of_q sum_. now destruct (no_vertices c close_c differ w v of_p of_q).
     + now apply sum_is_closed.
     + apply (near c close_c s); [| exact on]. apply in_app_iff. now left.
 Qed.

@@ -4,9 +4,9 @@
    segment of the reduced convolution is there. Half squares in the sum are from observation_2_2_4.v, that the
    boundary is covered from theorem_2_3_2.v. *)
 From Coq Require Import ZArith Lia Bool List.
-From Oplus Require Import numbers regions_and_sums tracing theorem_2_2_10 theorem_2_2_6 observation_2_2_4 lemma_2_2_5
-  lemma_2_2_2 inside_a_corner boundary_points reduced_convolution parallel_edges interiors_at_touching_points
-  theorem_2_3_2.
+From Oplus Require Import numbers regions_and_sums tracing simple_chain definition_2_2_8 theorem_2_2_10 theorem_2_2_6
+  observation_2_2_4 lemma_2_2_5 lemma_2_2_2 inside_a_corner boundary_points reduced_convolution edges_at_a_point
+  reduced_edges_that_pass theorem_2_3_2.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -63,7 +63,55 @@ Proof.
     apply (impossible (Vector (vy D) (- vx D))); unfold cross, dot in *; cbn [vx vy]; lra.
 Qed.
 
+(* Theorem. In particular no two segments of opposite directions pass a boundary point like this. *)
+Theorem no_opposite_segments_on_the_boundary (p q : region) (x d d' : vector) :
+  valid_region p -> valid_region q -> on_boundary_of_sum x p q -> passes x d p q -> passes x d' p q ->
+  cross d d' == 0 -> 0 < dot d d'.
+Proof.
+  intros p_region q_region boundary passing passing' parallel.
+  destruct (Qlt_le_dec 0 (dot d d')) as [| back]; [assumption | exfalso].
+  destruct (half_square_of_what_passes x d p q p_region q_region passing) as (long & r1 & R1 & left_half).
+  destruct (half_square_of_what_passes x d' p q p_region q_region passing') as (_ & r2 & R2 & right_half).
+  apply (inner_points_are_not_on_the_boundary p q x); [| exact boundary].
+  exists (Qmin r1 r2). split; [now apply Q.min_glb_lt |]. intros y close.
+  pose proof (Q.le_min_l r1 r2). pose proof (Q.le_min_r r1 r2).
+  destruct (Qlt_le_dec (cross d (minus y x)) 0) as [right_ | left_].
+  - apply right_half; [now apply (within_smaller (Qmin r1 r2)) |].
+    now apply (right_is_left_of_opposite d d').
+  - apply left_half; [now apply (within_smaller (Qmin r1 r2)) | exact left_].
+Qed.
+
+(* A point strictly between the ends of an edge is no vertex. *)
+Lemma between_is_no_vertex (r : region) (chain : list vector) i k :
+  no_edges_are_points r -> chains_do_not_touch r -> In chain r -> (i < length chain)%nat -> 0 < k < 1 ->
+  ~ is_vertex (point_along chain i k) r.
+Proof.
+  intros not_points apart_ C I range (s & S & at_source).
+  destruct (edge_by_chain r s S) as (c & m & c_in & m_below & ->).
+  destruct (apart_ c m c_in m_below) as (_ & _ & at_target & only).
+  assert (long : nonzero (edge_of_chain chain i)) by (apply edge_nonzero; auto).
+  assert (range' : 0 <= k <= 1) by lra. destruct (before_the_end chain i k long I range') as [goes_on comes].
+  specialize (goes_on (proj2 range)). specialize (comes (proj1 range)). apply departs_is in goes_on.
+  apply arrives_is in comes.
+  destruct (only (edge_at chain i)) as [is_in | is_out].
+  - now apply edge_at_in_region.
+  - exact (lies_on_equal _ _ _ at_source (proj1 comes)).
+  - apply goes_on. rewrite is_in, at_source. now symmetry.
+  - apply comes. now rewrite is_out.
+Qed.
+
 (* Between its ends, a segment of the convolution passes. *)
+Lemma edges_pass (p q : region) (x : vector) (a b : list vector) i j k :
+  no_edges_are_points p -> chains_do_not_touch p -> In a p -> In b q -> (i < length a)%nat -> (j < length b)%nat ->
+  0 < k < 1 -> equal_vectors x (plus (point_along a i k) (vertex b j)) -> edge_passes x (along (edge_at a i)) p q.
+Proof.
+  intros p_edges p_apart A B I J range x_is.
+  exists (edge_at a i), (point_along a i k), (vertex b j). split; [now apply edge_at_in_region |].
+  split; [apply point_along_is_on; trivial; lra |]. split; [now apply between_is_no_vertex |].
+  split; [| split; [exact x_is | reflexivity]]. right. exists (edge_at b j). split; [now apply edge_at_in_region |].
+  rewrite edge_at_is by exact J. apply (source_lies_on (Segment _ _)).
+Qed.
+
 Lemma segments_pass (p q : region) (x : vector) (s : segment) (k : Q) :
   valid_region p -> valid_region q -> chains_do_not_touch p -> chains_do_not_touch q ->
   In s (convolution_segments p q) -> 0 < k < 1 ->
@@ -71,34 +119,16 @@ Lemma segments_pass (p q : region) (x : vector) (s : segment) (k : Q) :
                           ((1 - k) * vy (source s) + k * vy (target s))) ->
   exists d, passes x d p q /\ equal_vectors d (along s).
 Proof.
-  intros p_region q_region p_apart q_apart I range [X Y].
-  destruct (convolution_segment_is p q s I) as (a & b & i & j & in_p & in_q & i_below & j_below & s_is).
-  assert (vertex_in : forall chain r m, In chain r -> (m < length chain)%nat -> in_region (nth m chain nowhere) r).
-  { intros chain r m chain_in below. right. exists (edge_at chain m). split; [now apply edge_at_in_region |].
-    exists 0. rewrite edge_at_is by exact below. cbn [source target]. split; [lra |]. split; ring. }
-  assert (edge_point : forall chain r m, valid_region r -> chains_do_not_touch r -> In chain r ->
-    (m < length chain)%nat ->
-    let w := Vector ((1 - k) * vx (source (edge_at chain m)) + k * vx (target (edge_at chain m)))
-                    ((1 - k) * vy (source (edge_at chain m)) + k * vy (target (edge_at chain m))) in
-    In (edge_at chain m) (region_edges r) /\ lies_on w (edge_at chain m) /\ ~ is_vertex w r).
-  { intros chain r m r_region r_apart chain_in below w. split; [now apply edge_at_in_region |]. split.
-    - exists k. unfold w; cbn [vx vy]. split; [lra |]. split; reflexivity.
-    - apply (between_is_no_vertex r chain m k w); trivial; reflexivity. }
-  destruct s_is as [-> | ->]; unfold plus in *; cbn [source target vx vy] in *.
-  - destruct (edge_point a p i p_region p_apart in_p i_below) as (E & on & no_vertex). cbv zeta in on, no_vertex.
-    exists (along (edge_at a i)). split.
-    + left. eexists (edge_at a i), _, (nth j b nowhere). split; [exact E |]. split; [exact on |].
-      split; [exact no_vertex |]. split; [now apply vertex_in |]. split; [| reflexivity].
-      rewrite edge_at_is by exact i_below. cbn [source target]. unfold plus. split; cbn [vx vy];
-        [rewrite X | rewrite Y]; ring.
-    + rewrite edge_at_is by exact i_below. unfold along, minus; cbn [source target vx vy]. split; cbn [vx vy]; ring.
-  - destruct (edge_point b q j q_region q_apart in_q j_below) as (F & on & no_vertex). cbv zeta in on, no_vertex.
-    exists (along (edge_at b j)). split.
-    + right. eexists (edge_at b j), _, (nth i a nowhere). split; [exact F |]. split; [exact on |].
-      split; [exact no_vertex |]. split; [now apply vertex_in |]. split; [| reflexivity].
-      rewrite edge_at_is by exact j_below. cbn [source target]. unfold plus. split; cbn [vx vy];
-        [rewrite X | rewrite Y]; ring.
-    + rewrite edge_at_is by exact j_below. unfold along, minus; cbn [source target vx vy]. split; cbn [vx vy]; ring.
+  intros (p_edges & _) (q_edges & _) p_apart q_apart S range x_is.
+  destruct (convolution_segment_is p q s S) as (a & b & i & j & A & B & I & J & [-> | ->]).
+  - exists (along (edge_at a i)). split; [left; apply (edges_pass p q x a b i j k); trivial |].
+    + rewrite x_is. unfold point_along. rewrite edge_of_chain_is by exact I. unfold vertex, plus, minus.
+      cbn [source target vx vy]. split; cbn [vx vy]; ring.
+    + rewrite edge_at_is by exact I. unfold along, plus, minus. cbn [source target vx vy]. split; cbn [vx vy]; ring.
+  - exists (along (edge_at b j)). split; [right; apply (edges_pass q p x b a j i k); trivial |].
+    + rewrite x_is. unfold point_along. rewrite edge_of_chain_is by exact J. unfold vertex, plus, minus.
+      cbn [source target vx vy]. split; cbn [vx vy]; ring.
+    + rewrite edge_at_is by exact J. unfold along, plus, minus. cbn [source target vx vy]. split; cbn [vx vy]; ring.
 Qed.
 
 (* Theorem, Lemma 3.1.2. Let the complement of the sum be to the right of a boundary edge of direction D at its point x.

@@ -6,8 +6,7 @@
    convolution is there is from reduced_edges_that_pass.v. *)
 From Coq Require Import ZArith Lia Bool List Arith.
 From Oplus Require Import numbers regions_and_sums parallelogram crossing_edges observation_2_2_4 lemma_2_2_9
-  inside_a_corner tangent_direction touching_corners boundary_points reduced_convolution parallel_edges
-  right_of_an_edge reduced_edges_that_pass.
+  inside_a_corner tangent_direction boundary_points reduced_convolution right_of_an_edge reduced_edges_that_pass.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -142,6 +141,9 @@ Section BothSides.
   Let no_vertices' : forall w u, is_vertex w q -> is_vertex u p -> ~ equal_vectors x (plus w u).
   Proof. intros w u of_q of_p equal. exact (no_vertices u w of_p of_q (other_order _ _ equal)). Qed.
 
+  Let none_meet : forall w u, is_vertex w p -> is_vertex u q -> equal_vectors x (plus w u) -> alone w p /\ alone u q.
+  Proof. intros w u of_p of_q equal. now destruct (no_vertices w u of_p of_q). Qed.
+
     Lemma parallelogram_beside (e f : segment) : In e (region_edges p) -> In f (region_edges q) ->
       eventually (fun t => winding_number (moved_along x n t) (parallelogram e f) <> 0%Z ->
         touches x n p q \/ touches x n q p).
@@ -245,10 +247,10 @@ Section BothSides.
     - destruct (vertex_in_region u q vertex) as (f & F & on_f).
       assert (in_q : in_region u q) by (right; now exists f).
       exists (along e). split; [| split; [exact left_ | exists e, w, u; tauto]].
-      now apply (passing_edges_of_p_are_covered p q x p_region q_region outside no_vertices w u e).
+      now apply (passing_edges_of_p_are_covered p q x p_region q_region outside none_meet w u e).
     - destruct (vertex_in_region w p vertex) as (e & E & on_e).
       assert (in_p : in_region w p) by (right; now exists e).
       exists (along f). split; [| split; [exact left_ | exists f, u, w; tauto]].
-      now apply (passing_edges_of_q_are_covered p q x p_region q_region outside no_vertices u w f).
+      now apply (passing_edges_of_q_are_covered p q x p_region q_region outside none_meet u w f).
   Qed.
 End BothSides.

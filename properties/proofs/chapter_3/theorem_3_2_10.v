@@ -6,8 +6,8 @@
    segments is to the left of one of them. *)
 From Coq Require Import ZArith Lia Bool List Arith.
 From Oplus Require Import numbers regions_and_sums parallelogram crossing_edges observation_2_2_4 lemma_2_2_9
-  inside_a_corner tangent_direction touching_corners boundary_points reduced_convolution parallel_edges
-  right_of_an_edge reduced_edges_that_pass segments_beside_the_open_sum theorem_3_2_8.
+  inside_a_corner tangent_direction boundary_points reduced_convolution right_of_an_edge reduced_edges_that_pass
+  segments_beside_the_open_sum theorem_3_2_8.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -26,6 +26,9 @@ Section IsolatedVertex.
   Hypothesis q_region : valid_region q.
   Hypothesis isolated : isolated_vertex x p q.
   Hypothesis no_vertices : forall w u, is_vertex w p -> is_vertex u q -> ~ equal_vectors x (plus w u).
+
+  Let none_meet : forall w u, is_vertex w p -> is_vertex u q -> equal_vectors x (plus w u) -> alone w p /\ alone u q.
+  Proof. intros w u of_p of_q equal. now destruct (no_vertices w u of_p of_q). Qed.
 
   (* Every direction n along which no segment covers x is to the left of one that does. *)
   Lemma segment_with_direction_to_its_left (n : vector) : nonzero n ->
@@ -48,10 +51,10 @@ Section IsolatedVertex.
       as (d & (s & S & on & (a & some & a_x & a_y)) & left_d & _); trivial.
     - intros e w u I on no_vertex in_q x_is. apply not_along.
       + now apply (region_edges_are_directions p (proj1 p_region)).
-      + now apply (passing_edges_of_p_are_covered p q x p_region q_region outside no_vertices w u e).
+      + now apply (passing_edges_of_p_are_covered p q x p_region q_region outside none_meet w u e).
     - intros f u w I on no_vertex in_p x_is. apply not_along.
       + now apply (region_edges_are_directions q (proj1 q_region)).
-      + now apply (passing_edges_of_q_are_covered p q x p_region q_region outside no_vertices u w f).
+      + now apply (passing_edges_of_q_are_covered p q x p_region q_region outside none_meet u w f).
     - exists s. split; [now split |].
       assert (value : cross (along s) n == a * cross d n) by (unfold cross; rewrite a_x, a_y; ring).
       rewrite value. now apply Qmult_lt_0_compat.

@@ -5,8 +5,8 @@
    edge; on either side there is one by segments_beside_the_open_sum.v. *)
 From Coq Require Import ZArith Lia Bool List Arith.
 From Oplus Require Import numbers regions_and_sums parallelogram crossing_edges observation_2_2_4 lemma_2_2_9
-  inside_a_corner tangent_direction touching_corners boundary_points reduced_convolution parallel_edges
-  reduced_edges_that_pass segments_beside_the_open_sum.
+  inside_a_corner tangent_direction boundary_points reduced_convolution reduced_edges_that_pass
+  segments_beside_the_open_sum.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -80,7 +80,7 @@ Proof.
   - intros e w u I on no_vertex in_q x_is. apply not_along.
     + now apply (region_edges_are_directions q (proj1 q_region)).
     + now apply (passing_is_parallel q p x D e w u).
-  - refine (reduced_along_same p q x d D _ found).
+  - refine (covered_in_the_same_direction _ x d D _ found).
     assert (parallel : cross d D == 0).
     { rewrite <- is_d. destruct passes as [(I & no_vertex & in_q) | (I & no_vertex & in_p)];
         [now apply (passing_is_parallel p q x D e w u) | now apply (passing_is_parallel q p x D e w u)]. }

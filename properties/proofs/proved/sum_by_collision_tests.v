@@ -6,7 +6,7 @@
    is false. *)
 From Coq Require Import QArith Lqa ZArith Lia Bool List Permutation.
 From Oplus Require Import specification checker homogeneous_points specification_bridge regions_and_sums
-  theorem_2_2_10 lemma_2_2_2 boundary_points reduced_convolution interiors_at_touching_points test_of_regions location
+  theorem_2_2_10 lemma_2_2_2 boundary_points reduced_convolution reduced_edges_that_pass test_of_regions location
   pieces met_pieces naive_collision collision_is_sound collision_is_complete placed_collision checked_collision
   beside_a_piece filling kept_pieces_go_round cut_pieces kept_pieces_balance sum_program sum_is_right
   sum_of_uncovered_pieces just_right_of_a_piece walks
@@ -50,9 +50,9 @@ Section ValidRegions.
   Lemma kept_are_on_the_reduced_convolution (e : segment) : In e (pieces_of segments) -> kept_piece (is_right_inside segments) e <> [] ->
     on_reduced_convolution (middle e) p q.
   Proof.
-    intros E kept_. destruct (on_or_off (middle e) (reduced_convolution p q)) as [on | free]; [exact on | exfalso].
-    apply kept_. apply (inner_pieces_are_not_kept p q p_region q_region e (middle e) E (middle_is_inside e)).
-    apply interiors_meet_means_inner_point, common_point_means_common_inner_point; trivial.
+    intros E kept_. apply common_point_is_on_the_reduced_convolution; auto using alone_if_chains_do_not_touch.
+    { intros meet. apply kept_, (inner_pieces_are_not_kept p q p_region q_region e _ E (middle_is_inside e)).
+      now apply interiors_meet_means_inner_point. }
     destruct (pieces_are_on _ _ cut_ e (middle e) E (strictly_inside_lies_on _ _ (middle_is_inside e)))
       as (t & T & on_t).
     exact (on_the_convolution_is_in_the_sum p q (middle e) t T on_t).

@@ -5,7 +5,7 @@
    edges are checked by signs of areas, winding numbers beside the middles of edges (right_of_an_edge.v). *)
 From Coq Require Import ZArith Lia Bool List Arith.
 From Oplus Require Import numbers regions_and_sums observation_2_2_4 right_of_an_edge inside_a_corner boundary_points
-  interiors_at_touching_points location.
+  location.
 Import ListNotations.
 
 Open Scope Q_scope.

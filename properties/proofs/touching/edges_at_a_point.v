@@ -35,6 +35,29 @@ Proof.
     split; try discriminate; tauto.
 Qed.
 
+Lemma departs_from_its_source (w : vector) (s : segment) :
+  nonzero (along s) -> equal_vectors w (source s) -> departs w s = true.
+Proof.
+  intros long at_start. apply departs_is.
+  split; [apply (lies_on_equal (source s)); [now symmetry | apply source_lies_on] |].
+  intros [X Y]. destruct at_start. apply long. unfold along, minus; cbn [vx vy]. lra.
+Qed.
+
+Lemma arrives_at_its_target (w : vector) (s : segment) :
+  nonzero (along s) -> equal_vectors w (target s) -> arrives w s = true.
+Proof.
+  intros long at_end. apply arrives_is.
+  split; [apply (lies_on_equal (target s)); [now symmetry | apply target_lies_on] |].
+  intros [X Y]. destruct at_end. apply long. unfold along, minus; cbn [vx vy]. lra.
+Qed.
+
+Lemma departs_or_arrives (w : vector) (s : segment) :
+  nonzero (along s) -> lies_on w s -> departs w s = true \/ arrives w s = true.
+Proof.
+  intros long on. destruct (same_place_spec w (source s)); [left; now apply departs_from_its_source | right].
+  now apply arrives_is.
+Qed.
+
 (* Another point of an edge at w is ahead of w, if it departs from w, or behind, if it arrives. *)
 Lemma ahead_or_behind (w y : vector) (s : segment) : lies_on w s -> lies_on (plus w y) s ->
   exists m, vx y == m * vx (along s) /\ vy y == m * vy (along s) /\

@@ -1,172 +1,130 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Theorem 2.2.10, its second part: where an edge of P passes a point of Q in the placement -Q + x, at a point of the
-   edge that is no vertex, and the interiors of P and -Q + x do not meet, x is on a segment of the convolution that has
-   the edge's direction; and where an edge of Q passes a point of P. Chains may touch. By fan_at_a_point.v: otherwise
-   an edge of Q leads across the edge, to where P's inside is. *)
+(* Where the interiors of P and -Q + x do not meet, and all that is to the left of an edge of P is inside near a point
+   of it (inside_a_corner.v), no edge of Q leads across it. Either one lies along it, or a convex vertex has it in its
+   tangent set (convex_corners.v). Chains may touch. So Theorem 2.2.10, its second part: where an edge passes a point of
+   the other region, at a point of the edge that is no vertex, and the interiors do not meet, x is on a segment of the
+   convolution that has the edge's direction. *)
 From Coq Require Import ZArith Lia Bool List.
-From Oplus Require Import numbers convolution signed_crossings tie_rule convolution_winding regions weight finite_sums
+From Oplus Require Import convolution signed_crossings tie_rule convolution_winding regions weight finite_sums
   tangent_count tracing meeting_of_segments neighbourhoods winding_number_of_the_sum interiors_meet left_of_an_edge
-  theorem_4_2_1 simple_chain definition_2_2_8 boundary_points parallel_edges edges_at_a_point fan_at_a_point
-  fans_that_touch.
+  theorem_4_2_1 simple_chain definition_2_2_8 inside_a_corner boundary_points reduced_convolution edges_at_a_point
+  fan_at_a_point fans_that_touch convex_corners.
 Import ListNotations.
 
 Open Scope Q_scope.
 
-(* A segment of the convolution of the direction d covers x. *)
-Definition covered_along (p q : region) (x d : vector) : Prop :=
-  exists s, In s (convolution_segments p q) /\ lies_on x s /\ same_direction (along s) d.
+Lemma sum_in_other_order (x w u : vector) : equal_vectors x (plus w u) -> equal_vectors x (plus u w).
+Proof. intros [X Y]. unfold plus in *; cbn [vx vy] in *. split; cbn [vx vy]; lra. Qed.
 
-Lemma covered_by_index (p q : region) (x d : vector) (a b : list vector) :
-  no_edges_are_points p -> no_edges_are_points q -> nonzero d -> In a p -> In b q ->
-  on_a_segment_along a b d x -> covered_along p q x d.
+Lemma comes_from_behind (w : vector) (s : segment) : arrives w s = true ->
+  eventually (fun t => lies_on (moved_along w (opposite (along s)) t) s).
 Proof.
-  intros p_edges q_edges proper_d A B (i & j & t & I & J & range & cases).
-  assert (found : forall summand e, is_convolution_segment a b summand i j = true -> nonzero e -> angle e == angle d ->
-    (let s := ((a, b), (summand, (i, j))) in
-     equal_vectors (minus (ends_at s) (starts_at s)) e /\ lies_on x (Segment (starts_at s) (ends_at s))) ->
-    covered_along p q x d).
-  { intros summand e belongs proper_e same_ [[X Y] on].
-    set (s := ((a, b), (summand, (i, j)))) in *. exists (Segment (starts_at s) (ends_at s)). split; [| split].
-    - apply (in_map (fun s => Segment (starts_at s) (ends_at s))). apply in_flat_map. exists (a, b).
-      split; [now apply in_prod |]. unfold s. apply in_map.
-      apply (in_those (length a) (length b) (in_convolution a b)). now split.
-    - exact on.
-    - apply same_direction_angle in same_; trivial. destruct same_ as (m & some & mx & my). exists m.
-      unfold along. cbn [source target]. rewrite X, Y. now split. }
-  destruct cases as [(belongs & same_ & x_is) | (belongs & same_ & x_is)].
-  - apply (found OfP (edge_of_chain a i)); trivial; [apply edge_nonzero; trivial; now apply p_edges |].
-    cbv zeta. rewrite lies_on_a_segment_of by assumption. split; [| now exists t].
-    rewrite edge_of_chain_is by exact I. unfold starts_at, ends_at, point_of, state_before, state_after, step.
-    unfold plus, minus. cbn [fst snd vx vy]. split; cbn [vx vy]; ring.
-  - apply (found OfQ (edge_of_chain b j)); trivial; [apply edge_nonzero; trivial; now apply q_edges |].
-    cbv zeta. rewrite lies_on_a_segment_of by assumption. split; [| now exists t].
-    rewrite edge_of_chain_is by exact J. unfold starts_at, ends_at, point_of, state_before, state_after, step.
-    unfold plus, minus. cbn [fst snd vx vy]. split; cbn [vx vy]; ring.
+  intros arriving. apply arrives_is in arriving. destruct arriving as [(k & [k0 k1] & X & Y) comes].
+  assert (after_start : 0 < k).
+  { apply Qnot_le_lt. intros at_start. apply comes. assert (k_is : k == 0) by lra. rewrite k_is in X, Y.
+    split; lra. }
+  exists k. split; [exact after_start |]. intros t t0 t1. exists (k - t). split; [lra |].
+  unfold moved_along, opposite, along, minus; cbn [vx vy]. rewrite X, Y. split; ring.
 Qed.
 
-(* Whether an edge at u has the direction of e is decided. *)
-Lemma some_or_no_common_direction (r : region) (u d : vector) : no_edges_are_points r -> nonzero d ->
-  (exists f, In f (region_edges r) /\ lies_on u f /\ angle (along f) == angle d) \/
-  (forall f, In f (region_edges r) -> lies_on u f -> ~ same_direction (along f) d).
+(* No edge of Q leads across a direction d to the left of which P is filled. *)
+Lemma sides_of_edges (p q : region) (x w u d : vector) (f : segment) :
+  valid_region q -> ~ interiors_meet x p q -> equal_vectors x (plus w u) -> fills_left w d p ->
+  In f (region_edges q) ->
+  (departs u f = true -> 0 <= cross d (along f)) /\ (arrives u f = true -> cross d (along f) <= 0).
 Proof.
-  intros not_points proper_d.
-  destruct (one_or_all (exists f, In f (region_edges r) /\ lies_on u f /\ angle (along f) == angle d)
-    (fun f => lies_on u f -> ~ same_direction (along f) d) (region_edges r)) as [some | none]; auto.
-  intros f F. destruct (lies_on_dec u f) as [on | off_f]; [| right; contradiction].
-  pose proof (region_edges_are_directions r not_points f F) as long.
-  destruct (Qeq_dec (angle (along f)) (angle d)) as [same_ | differ]; [left; now exists f | right].
-  intros _. now rewrite same_direction_angle.
+  intros (q_edges & q_valid & q_meet) outside [X Y] (radius & R & fills) F.
+  assert (across : forall g, eventually (fun t => lies_on (moved_along u g t) f) -> 0 <= cross d g).
+  { intros g on_f. apply Qnot_lt_le. intros across. apply outside.
+    destruct (some_small _ (eventually_and _ _ (small_steps_stay_within radius w (opposite g) R) on_f))
+      as (t & some & near & on).
+    apply (inner_point_and_point p q x (moved_along w (opposite g) t) (moved_along u g t)
+      (regions_are_regular q q_edges q_valid q_meet)); [| right; now exists f |].
+    - apply fills; [exact near |].
+      setoid_replace (cross d (minus (moved_along w (opposite g) t) w)) with (t * - cross d g) by by_coordinates. nra.
+    - unfold plus, moved_along, opposite in *; cbn [vx vy] in *. split; cbn [vx vy]; lra. }
+  split; intros there.
+  - now apply across, goes_ahead_from.
+  - pose proof (across _ (comes_from_behind u f there)). unfold cross, opposite in *; cbn [vx vy] in *. lra.
 Qed.
 
-(* An edge that passes, of no direction of the edges there and in no tangent set there. *)
-Lemma passing_edge_meets (p q : region) (x w u : vector) (e : segment) (label : summand) :
-  valid_region p -> valid_region q -> In e (region_edges p) -> lies_on w e -> ~ is_vertex w p ->
-  (exists f, In f (region_edges q) /\ lies_on u f) -> equal_vectors x (plus w u) ->
-  (forall f, In f (region_edges q) -> lies_on u f -> ~ same_direction (along f) (along e)) ->
-  tangents_at u (Direction (along e) label) q = 0%Z -> interiors_meet x p q.
+(* An edge of Q lies along it, or a convex vertex is there. *)
+Lemma common_direction_or_convex_vertex (p q : region) (x w u : vector) (e : segment) :
+  valid_region p -> valid_region q -> ~ interiors_meet x p q -> equal_vectors x (plus w u) ->
+  In e (region_edges p) -> departs w e = true -> fills_left w (along e) p -> in_region u q ->
+  (exists f, In f (region_edges q) /\ lies_on u f /\ same_direction (along e) (along f)) \/
+  exists chain i, In chain q /\ (i < length chain)%nat /\ equal_vectors u (vertex chain i) /\
+    convex (corner_of_chain chain i) /\
+    forall label, in_tangent_set (Direction (along e) label) (corner_of_chain chain i) = true.
 Proof.
-  intros p_region q_region E on no_vertex on_q sum_ no_common no_tangent.
-  pose proof p_region as (p_edges & p_valid & p_meet). pose proof q_region as (q_edges & q_valid & q_meet).
-  pose proof (regions_are_regular q q_edges q_valid q_meet) as q_regular.
-  assert (e_departs : departs w e = true).
-  { apply departs_is. split; [exact on |]. intros at_end. apply no_vertex.
-    destruct (target_is_vertex p e E) as (t & T & equal). exists t. split; [exact T | now rewrite at_end]. }
-  assert (swapped : equal_vectors x (plus u w))
-    by (destruct sum_ as [X Y]; unfold plus in *; cbn [vx vy] in *; split; cbn [vx vy]; lra).
-  destruct (half_beside_an_edge q p x u w e label) as [meet | half]; trivial; [now apply interiors_meet_other_way |].
-  assert (some_left : (0 < departures_left_of u (opposite (along e)) q)%Z).
-  { assert (0 <= departures u q)%Z; [| lia]. apply sum_is_not_negative. intros f _. now destruct (departs u f). }
-  apply positive_sum in some_left. destruct some_left as (f & F & term).
-  destruct (departs u f) eqn:f_departs; [| discriminate].
-  destruct (positive_spec (cross (opposite (along e)) (along f))) as [across |]; [| discriminate].
-  assert (left_ : 0 < cross (along e) (opposite (along f)))
-    by (unfold cross, opposite in *; cbn [vx vy] in *; lra).
-  destruct (eventually_and _ _
-    (left_of_an_edge_is_inside p e w (opposite (along f)) p_valid p_meet E on no_vertex left_)
-    (goes_ahead_from u f f_departs)) as (limit & L & close).
-  destruct (close ((1 # 2) * limit)) as [in_p on_f]; [lra | lra |].
-  apply (inner_point_and_point p q x _ _ q_regular in_p (or_intror (ex_intro _ f (conj F on_f)))).
+  intros p_region q_region outside sum_ E e_departs fills in_q. pose proof p_region as (p_edges & p_valid & p_meet).
+  pose proof (region_edges_are_directions p p_edges e E) as long.
+  assert (on_e : lies_on w e) by (now apply departs_is in e_departs).
+  destruct (both_on_boundaries_or_meet p q x w u) as [[_ on_q] |]; trivial; [right; now exists e | | contradiction].
+  destruct (one_or_all (exists f, In f (region_edges q) /\ lies_on u f /\ same_direction (along e) (along f))
+    (fun f => lies_on u f -> ~ cross (along e) (along f) == 0) (region_edges q)) as [| aside]; [| now left | right].
+  { intros f F. destruct (lies_on_dec u f) as [on_f |]; [| now right].
+    destruct (Qeq_dec (cross (along e) (along f)) 0) as [flat |]; [left | now right].
+    pose proof (region_edges_are_directions q (proj1 q_region) f F) as long_f.
+    destruct (parallel_directions (along e) (along f) long long_f flat) as [same_ | back]; [now exists f | exfalso].
+    now apply outside, (opposite_edge_meets p q x w u (along e) f). }
+  assert (one_side : forall f, In f (region_edges q) ->
+    (departs u f = true -> 0 < cross (along e) (along f)) /\ (arrives u f = true -> cross (along e) (along f) < 0)).
+  { intros f F. destruct (sides_of_edges p q x w u (along e) f) as [ahead behind]; trivial.
+    split; intros there; [specialize (ahead there); apply departs_is in there |
+      specialize (behind there); apply arrives_is in there]; pose proof (aside f F (proj1 there)); lra. }
+  destruct (some_small _ (eventually_and _ _ (goes_ahead_from w e e_departs)
+    (convex_corner q u (along e) q_region long on_q one_side))) as (k & _ & on & [in_q' | found]);
+    [exfalso | exact found].
+  apply outside, interiors_meet_other_way.
+  apply (inner_point_and_point q p x _ (moved_along w (along e) k) (regions_are_regular p p_edges p_valid p_meet) in_q'
+    (or_intror (ex_intro _ e (conj E on)))).
   destruct sum_ as [X Y]. unfold plus, moved_along, opposite in *; cbn [vx vy] in *. split; cbn [vx vy]; lra.
 Qed.
 
-Lemma boundary_or_meet (p q : region) (x w u : vector) (e : segment) : valid_region p ->
-  In e (region_edges p) -> lies_on w e -> equal_vectors x (plus w u) -> in_region u q ->
-  (exists f, In f (region_edges q) /\ lies_on u f) \/ interiors_meet x p q.
+Lemma passes_both_ways (r : region) (w : vector) (e : segment) : In e (region_edges r) -> lies_on w e ->
+  ~ is_vertex w r -> departs w e = true /\ arrives w e = true.
 Proof.
-  intros (p_edges & p_valid & p_meet) E on_e [X Y] in_q.
-  destruct (on_or_off u (region_edges q)) as [on_q | off_q]; [now left | right].
-  apply interiors_meet_other_way, (inner_point_and_point q p x u w (regions_are_regular p p_edges p_valid p_meet)).
-  - split; [exact off_q |]. destruct in_q as [positive_ | (s & S & on)]; [exact positive_ |].
-    exfalso. exact (off_q s S on).
-  - right. now exists e.
-  - unfold plus in *; cbn [vx vy] in *. split; cbn [vx vy]; lra.
+  intros E on no_vertex. split; [apply departs_is | apply arrives_is]; (split; [exact on |]); intros at_end;
+    apply no_vertex; [| now exists e].
+  apply (vertex_of_equal (target e)); [now symmetry | now apply target_is_vertex].
 Qed.
 
+(* An edge of P that passes, and one of Q that does. *)
 Section Passing.
   Variables p q : region.
   Variables x w u : vector.
   Hypothesis p_region : valid_region p.
   Hypothesis q_region : valid_region q.
+  Hypothesis outside : ~ interiors_meet x p q.
   Hypothesis sum_ : equal_vectors x (plus w u).
 
-  Let p_edges : no_edges_are_points p := proj1 p_region.
-  Let q_edges : no_edges_are_points q := proj1 q_region.
-
-  Lemma common_direction_is_covered (e f : segment) : In e (region_edges p) -> In f (region_edges q) ->
-    lies_on w e -> lies_on u f -> angle (along e) == angle (along f) -> covered_along p q x (along e).
+  Lemma edge_of_p_passes (e : segment) : In e (region_edges p) -> departs w e = true -> fills_left w (along e) p ->
+    in_region u q ->
+    (exists a b, In a p /\ In b q /\ on_a_tie a b (along e) x) \/ reduced_along p q x (along e).
   Proof.
-    intros E F on_e on_f same_. pose proof (region_edges_are_directions p p_edges e E) as long.
-    destruct (edge_by_chain p e E) as (a & i & A & I & ->), (edge_by_chain q f F) as (b & j & B & J & ->).
-    destruct (on_by_index a i w I on_e) as (t & t_range & w_is), (on_by_index b j u J on_f) as (o & o_range & u_is).
-    apply (covered_by_index p q x _ a b); trivial. unfold edge_at in *.
-    rewrite <- !direction_by_index in * by assumption.
-    pose proof (chains_turn_everywhere p a p_region A) as turning_p.
-    pose proof (chains_turn_everywhere q b q_region B) as turning_q.
-    apply (ties_are_segments a b turning_p turning_q), (sum_along_two_edges a b turning_p turning_q i j t o); trivial.
-    rewrite sum_. now apply plus_of_equal.
+    intros E e_departs fills in_q. assert (on_e : lies_on w e) by (now apply departs_is in e_departs).
+    destruct (common_direction_or_convex_vertex p q x w u e) as
+      [(f & F & on_f & same_) | (b & j & B & J & at_vertex & is_convex & tangent)]; trivial; [left | right].
+    - now apply (common_direction_is_a_tie p q x w u p_region q_region sum_ e f).
+    - now apply (tangent_of_p_is_covered p q x w u sum_ e b j).
   Qed.
 
-  (* Theorem. An edge of P that passes. *)
-  Theorem passing_edge_of_p_covers (e : segment) : In e (region_edges p) -> lies_on w e -> ~ is_vertex w p ->
-    in_region u q -> interiors_meet x p q \/ covered_along p q x (along e).
+  Lemma edge_of_q_passes (f : segment) : In f (region_edges q) -> departs u f = true -> fills_left u (along f) q ->
+    in_region w p ->
+    (exists a b, In a p /\ In b q /\ on_a_tie a b (along f) x) \/ reduced_along p q x (along f).
   Proof.
-    intros E on_e no_vertex in_q. pose proof (region_edges_are_directions p p_edges e E) as long.
-    destruct (boundary_or_meet p q x w u e p_region E on_e sum_ in_q) as [on_q | meet]; [| now left].
-    destruct (some_or_no_common_direction q u (along e) q_edges long) as [(f & F & on_f & same_) | none].
-    { right. symmetry in same_. now apply (common_direction_is_covered e f). }
-    destruct (tangent_vertex_or_none q u (Direction (along e) OfP))
-      as [(b & j & B & J & at_vertex & tangent) | no_tangent].
-    - right. destruct (edge_by_chain p e E) as (a & i & A & I & ->).
-      destruct (on_by_index a i w I on_e) as (t & range & w_is).
-      apply (covered_by_index p q x _ a b); trivial. exists i, j, t. unfold edge_at in *.
-      rewrite <- !direction_by_index in * by assumption.
-      split; [exact I |]. split; [exact J |]. split; [exact range |]. left. split; [exact tangent |].
-      split; [reflexivity |]. rewrite sum_. now apply plus_of_equal.
-    - left. now apply (passing_edge_meets p q x w u e OfP).
-  Qed.
-
-  (* Theorem. An edge of Q that passes. *)
-  Theorem passing_edge_of_q_covers (f : segment) : In f (region_edges q) -> lies_on u f -> ~ is_vertex u q ->
-    in_region w p -> interiors_meet x p q \/ covered_along p q x (along f).
-  Proof.
-    intros F on_f no_vertex in_p. pose proof (region_edges_are_directions q q_edges f F) as long.
-    assert (swapped : equal_vectors x (plus u w))
-      by (destruct sum_ as [X Y]; unfold plus in *; cbn [vx vy] in *; split; cbn [vx vy]; lra).
-    destruct (boundary_or_meet q p x u w f q_region F on_f swapped in_p) as [on_p | meet];
-      [| left; now apply interiors_meet_other_way].
-    destruct (some_or_no_common_direction p w (along f) p_edges long) as [(e & E & on_e & same_) | none].
-    { right. destruct (common_direction_is_covered e f E F on_e on_f same_) as (s & S & on & along_e). exists s.
-      split; [exact S |]. split; [exact on |]. apply (same_direction_transitive _ (along e)); [exact along_e |].
-      apply same_direction_angle; trivial. now apply (region_edges_are_directions p). }
-    destruct (tangent_vertex_or_none p w (Direction (along f) OfQ))
-      as [(a & i & A & I & at_vertex & tangent) | no_tangent].
-    - right. destruct (edge_by_chain q f F) as (b & j & B & J & ->).
-      destruct (on_by_index b j u J on_f) as (t & range & u_is).
-      apply (covered_by_index p q x _ a b); trivial. exists i, j, t. unfold edge_at in *.
-      rewrite <- !direction_by_index in * by assumption.
-      split; [exact I |]. split; [exact J |]. split; [exact range |]. right. split; [exact tangent |].
-      split; [reflexivity |]. rewrite sum_. now apply plus_of_equal.
-    - left. apply interiors_meet_other_way. now apply (passing_edge_meets q p x u w f OfQ).
+    intros F f_departs fills in_p. assert (on_f : lies_on u f) by (now apply departs_is in f_departs).
+    pose proof (region_edges_are_directions q (proj1 q_region) f F) as long.
+    destruct (common_direction_or_convex_vertex q p x u w f) as
+      [(e & E & on_e & same_) | (a & i & A & I & at_vertex & is_convex & tangent)]; trivial.
+    - intros meet. now apply outside, interiors_meet_other_way.
+    - now apply sum_in_other_order.
+    - left. destruct (common_direction_is_a_tie p q x w u p_region q_region sum_ e f) as
+        (a & b & A & B & i & j & t & I & J & range & tie); trivial; [now apply same_direction_symmetric |].
+      apply same_direction_angle in same_; [| exact long | now apply (region_edges_are_directions p (proj1 p_region))].
+      exists a, b. split; [exact A |]. split; [exact B |]. exists i, j, t. rewrite same_. tauto.
+    - right. now apply (tangent_of_q_is_covered p q x w u sum_ f a i).
   Qed.
 End Passing.
 
@@ -182,7 +140,13 @@ Proof.
   assert (vertex_in : forall v r, is_vertex v r -> in_region v r).
   { intros v r (e & E & equal). right. exists e. split; [exact E |].
     apply (lies_on_equal (source e)); [now symmetry | apply source_lies_on]. }
-  destruct inside_a_segment as [(S & on & no_vertex & vertex) | (S & on & no_vertex & vertex)].
-  - now destruct (passing_edge_of_p_covers p q x w u p_region q_region sum_ s S on no_vertex (vertex_in u q vertex)).
-  - now destruct (passing_edge_of_q_covers p q x w u p_region q_region sum_ s S on no_vertex (vertex_in w p vertex)).
+  assert (covered : nonzero (along s) -> (exists a b, In a p /\ In b q /\ on_a_tie a b (along s) x) \/
+    reduced_along p q x (along s) -> covered_along p q x (along s)).
+  { intros long [(a & b & A & B & tie) | reduced]; [now apply (tie_is_covered p q x p_region q_region a b) |].
+    now apply reduced_along_is_covered. }
+  destruct inside_a_segment as [(S & on & no_vertex & vertex) | (S & on & no_vertex & vertex)]; apply covered.
+  - now apply (region_edges_are_directions p (proj1 p_region)).
+  - apply (edge_of_p_passes p q x w u); auto; [now apply (passes_both_ways p w s) | now apply fills_left_beside_an_edge].
+  - now apply (region_edges_are_directions q (proj1 q_region)).
+  - apply (edge_of_q_passes p q x w u); auto; [now apply (passes_both_ways q u s) | now apply fills_left_beside_an_edge].
 Qed.

@@ -115,9 +115,15 @@ Definition departures_left_of (w a : vector) (r : region) : Z :=
 
 (* No edge at w has the direction -a, and none leaves w in the direction a. *)
 Definition clear_direction (w a : vector) (r : region) : Prop :=
-  off (plus w a) (region_edges r) /\
   forall s, In s (region_edges r) -> lies_on w s ->
     ~ same_direction (along s) (opposite a) /\ (departs w s = true -> ~ cross a (along s) == 0).
+
+Lemma general_directions_are_clear (r : region) (w a : vector) :
+  (forall s, In s (region_edges r) -> lies_on w s -> ~ cross a (along s) == 0) -> clear_direction w a r.
+Proof.
+  intros general s I on. pose proof (general s I on) as aside. split; [| intros _; exact aside].
+  intros (m & _ & X & Y). apply aside. unfold cross, opposite in *; cbn [vx vy] in *. rewrite X, Y. ring.
+Qed.
 
 Section AtThePoint.
   Variable r : region.
@@ -127,16 +133,39 @@ Section AtThePoint.
   Hypothesis not_points : no_edges_are_points r.
   Hypothesis near : nothing_else_near w radius r.
 
-  (* Theorem. The sum of the three numbers is the same in all directions. *)
-  Theorem same_in_all_directions (a b da db : vector) : 0 < cross a b ->
-    within radius w (plus w a) -> within radius w (plus w b) -> clear_direction w a r -> clear_direction w b r ->
-    nonzero da -> nonzero db -> same_direction da (opposite a) -> same_direction db (opposite b) ->
-    (tangents_at w (Direction da label) r + departures_left_of w a r + winding_number (plus w a) (region_edges r) =
-     tangents_at w (Direction db label) r + departures_left_of w b r + winding_number (plus w b) (region_edges r))%Z.
+  Lemma clear_directions_are_off (a : vector) : nonzero a -> within radius w (plus w a) -> clear_direction w a r ->
+    off (plus w a) (region_edges r).
   Proof.
-    intros turn near_a near_b [off_a clear_a] [off_b clear_b] proper_da proper_db a_back b_back.
-    pose proof (winding_number_around_the_point r w a b radius not_points near turn near_a near_b off_a off_b)
+    intros proper_a near_a clear_a s I on. pose proof (region_edges_are_directions r not_points s I) as long.
+    destruct (proj2 near s) as [on_w | free].
+    - apply in_flat_map. exists s. split; [exact I | now left].
+    - destruct (clear_a s I on_w) as [differ aside].
+      destruct (ahead_or_behind w a s on_w on) as (m & X & Y & ahead & _).
+      destruct (Q_dec m 0) as [[low | high] | none].
+      + apply differ. exists (/ - m). split; [apply Qinv_lt_0_compat; lra |]. unfold opposite; cbn [vx vy].
+        rewrite X, Y. split; field; lra.
+      + apply (aside (ahead high long)). unfold cross. rewrite X, Y. ring.
+      + apply proper_a. rewrite X, Y, none. split; ring.
+    - exact (free _ near_a on).
+  Qed.
+
+  (* A direction a in which nothing is in the way, and d, which leads back. *)
+  Definition clear_step (a d : vector) : Prop :=
+    within radius w (plus w a) /\ clear_direction w a r /\ nonzero d /\ same_direction d (opposite a).
+
+  Definition total (a d : vector) : Z :=
+    (tangents_at w (Direction d label) r + departures_left_of w a r + winding_number (plus w a) (region_edges r))%Z.
+
+  Lemma same_to_the_left (a b da db : vector) : 0 < cross a b -> clear_step a da -> clear_step b db ->
+    total a da = total b db.
+  Proof.
+    intros turn (near_a & clear_a & proper_da & a_back) (near_b & clear_b & proper_db & b_back).
+    assert (proper_a : nonzero a) by (intros [X Y]; unfold cross in turn; rewrite X, Y in turn; lra).
+    assert (proper_b : nonzero b) by (intros [X Y]; unfold cross in turn; rewrite X, Y in turn; lra).
+    pose proof (winding_number_around_the_point r w a b radius not_points near turn near_a near_b
+      (clear_directions_are_off a proper_a near_a clear_a) (clear_directions_are_off b proper_b near_b clear_b))
       as numbers.
+    apply opposite_nonzero in proper_a, proper_b. apply same_direction_angle in a_back, b_back; trivial.
     assert (tangents : (tangents_at w (Direction da label) r - tangents_at w (Direction db label) r)%Z =
       sum_of (fun s => (Z.b2z (arrives w s) - Z.b2z (departs w s)) * change da db label (along s))%Z (region_edges r)).
     { rewrite <- vertices_at_a_point. unfold tangents_at. rewrite <- sum_minus. apply sum_equally. intros [v c] I.
@@ -152,19 +181,16 @@ Section AtThePoint.
         (region_edges r) + departures_left_of w a r - departures_left_of w b r -
         sum_of (fun s => Z.b2z (departs w s) * Z.b2z (is_amid a b (along s)) -
                          Z.b2z (arrives w s) * Z.b2z (is_amid a b (opposite (along s))))%Z (region_edges r) =
-        sum_of (fun s => (Z.b2z (arrives w s) - Z.b2z (departs w s)) * wraps da db)%Z (region_edges r))%Z) by lia.
+        sum_of (fun s => (Z.b2z (arrives w s) - Z.b2z (departs w s)) * wraps da db)%Z (region_edges r))%Z)
+      by (unfold total; lia).
     unfold departures_left_of. rewrite <- sum_plus, <- !sum_minus. apply sum_equally. intros s I.
     destruct (lies_on_dec w s) as [on | free].
     2: { unfold departs, arrives, comes_by. destruct (lies_on_dec w s); [contradiction | reflexivity]. }
-    destruct (clear_a s I on) as [differ_a aside_a], (clear_b s I on) as [differ_b aside_b].
+    destruct (clear_a s I on) as [apart_a aside_a], (clear_b s I on) as [apart_b aside_b].
     pose proof (region_edges_are_directions r not_points s I) as long.
-    assert (proper : forall v, 0 < cross v b \/ 0 < cross a v -> nonzero (opposite v)).
-    { intros v some. apply opposite_nonzero. intros [X Y]. unfold cross in some. rewrite X, Y in some. lra. }
-    assert (angles : forall d v, nonzero d -> nonzero (opposite v) -> same_direction d (opposite v) ->
-      ~ same_direction (along s) (opposite v) -> angle d == angle (opposite v) /\ ~ angle (along s) == angle d).
-    { intros d v proper_d proper_v same_ differ. rewrite same_direction_angle in same_, differ by trivial. lra. }
-    destruct (angles da a) as [angle_a apart_a]; auto. destruct (angles db b) as [angle_b apart_b]; auto.
-    pose proof (edges_while_turning a b da db label turn angle_a angle_b proper_da proper_db (along s) long apart_a
+    rewrite same_direction_angle in apart_a, apart_b by trivial.
+    rewrite <- a_back in apart_a. rewrite <- b_back in apart_b.
+    pose proof (edges_while_turning a b da db label turn a_back b_back proper_da proper_db (along s) long apart_a
       apart_b) as turned_.
     destruct (departs w s) eqn:departing_.
     - pose proof (departing_while_turning a b (along s) (aside_a eq_refl) (aside_b eq_refl)) as left_.
@@ -172,39 +198,65 @@ Section AtThePoint.
     - destruct (arrives w s); cbn [Z.b2z]; lia.
   Qed.
 
-  (* A direction that is parallel to no edge at w. *)
-  Lemma general_directions_are_clear (y : vector) : within radius w (plus w y) ->
-    (forall s, In s (region_edges r) -> lies_on w s -> ~ cross y (along s) == 0) -> clear_direction w y r.
+  (* Theorem. The sum of the three numbers is the same in all directions. *)
+  Theorem same_in_all_directions (a b da db : vector) : ~ cross a b == 0 -> clear_step a da -> clear_step b db ->
+    total a da = total b db.
   Proof.
-    intros close general. split.
-    - intros s I on. destruct near as [_ near_]. destruct (near_ s) as [on_w | free].
-      + apply in_flat_map. exists s. split; [exact I | now left].
-      + destruct (ahead_or_behind w y s on_w on) as (m & X & Y & _). apply (general s I on_w).
-        unfold cross. rewrite X, Y. ring.
-      + exact (free _ close on).
-    - intros s I on. pose proof (general s I on) as aside. split; [| intros _; exact aside].
-      intros (m & _ & X & Y). apply aside. unfold cross, opposite in *; cbn [vx vy] in *. rewrite X, Y. ring.
+    intros aside clear_a clear_b.
+    destruct (Q_dec (cross a b) 0) as [[right_ | left_] | parallel]; [symmetry | | contradiction];
+      apply same_to_the_left; trivial. unfold cross in *. lra.
   Qed.
 End AtThePoint.
 
-(* Near w is a point inside that is on none of some lines. *)
-Lemma inner_point_off_lines (r : region) (w : vector) (radius : Q) (lines : list segment) :
-  is_regular r -> in_region w r -> 0 < radius -> (forall t, In t lines -> nonzero (along t)) ->
-  exists y, within radius w y /\ inside y r /\ forall t, In t lines -> ~ area t y == 0.
+(* Small steps in a direction. *)
+Definition scaled (k : Q) (v : vector) : vector := Vector (k * vx v) (k * vy v).
+
+Lemma small_steps_are_clear (r : region) (w b : vector) (radius : Q) :
+  nothing_else_near w radius r -> nonzero b -> clear_direction w b r ->
+  eventually (fun k => clear_step r w radius (scaled k b) (opposite b) /\ nonzero (scaled k b) /\
+    departures_left_of w (scaled k b) r = departures_left_of w b r).
 Proof.
-  intros regular in_r R long. assert (half : 0 < (1 # 2) * radius) by lra.
-  destruct (inside_near r w _ regular in_r half) as (a & close & free & round).
-  assert (off_line : forall t, In t lines -> eventually (fun e => ~ area t (moved (shifted a) e) == 0)).
-  { intros t I. refine (eventually_implied _ _ _ (side_of_segment_nearby a t (long t I))).
+  intros [R _] long clear_b. refine (eventually_implied _ _ _ (eventually_and _ _ (eventually_below 1 ltac:(lra))
+    (small_steps_stay_within radius w b R))).
+  intros k [[some _] near_k]. assert (value : forall v, cross (scaled k b) v == k * cross b v)
+    by (intros; unfold cross, scaled; cbn [vx vy]; ring).
+  assert (ratio : / k * k == 1) by (field; lra). pose proof (Qinv_lt_0_compat k some) as some'. split; [| split].
+  - split; [exact near_k |]. split; [| split; [now apply opposite_nonzero |]].
+    + intros s I on. destruct (clear_b s I on) as [differ aside]. split.
+      * intros (m & m_some & X & Y). apply differ. exists (m * k). unfold scaled, opposite in *; cbn [vx vy] in *.
+        rewrite X, Y. split; [now apply Qmult_lt_0_compat | split; ring].
+      * intros departing flat. apply (aside departing), (Qmult_inj_r _ _ k); [lra |]. rewrite value in flat. lra.
+    + exists (/ k). unfold opposite, scaled; cbn [vx vy]. split; [exact some' |]. split; field; lra.
+  - intros [X Y]. unfold scaled in X, Y; cbn [vx vy] in X, Y. apply long. split; apply (Qmult_inj_r _ _ k); lra.
+  - apply sum_equally. intros s _. f_equal. f_equal.
+    destruct (positive_spec (cross (scaled k b) (along s))) as [left_ | none], (positive_spec (cross b (along s)));
+      trivial; exfalso; rewrite value in *; [nra |]. apply none. now apply Qmult_lt_0_compat.
+Qed.
+
+Lemma inside_or_nothing_there (r : region) (w z d : vector) (radius : Q) : valid_region r ->
+  nothing_else_near w radius r -> clear_step r w radius z d -> nonzero z ->
+  inside (plus w z) r \/ winding_number (plus w z) (region_edges r) = 0%Z.
+Proof.
+  intros (not_points & valid & _) near (near_z & clear_z & _) proper_z.
+  pose proof (clear_directions_are_off r w radius not_points near z proper_z near_z clear_z) as free.
+  pose proof (valid _ free). destruct (Z_lt_le_dec 0 (winding_number (plus w z) (region_edges r))); [now left; split |].
+  right. lia.
+Qed.
+
+(* Near w is a point with the same winding number that is on none of some segments, nor on some lines. *)
+Lemma point_beside (w : vector) (radius : Q) (segments lines : list segment) :
+  0 < radius -> (forall t, In t lines -> nonzero (along t)) ->
+  exists y, within radius w y /\ winding_number y segments = winding_number w segments /\ off y segments /\
+    forall t, In t lines -> ~ area t y == 0.
+Proof.
+  intros R long.
+  assert (off_line : forall t, In t lines -> eventually (fun e => ~ area t (moved (shifted w) e) == 0)).
+  { intros t I. refine (eventually_implied _ _ _ (side_of_segment_nearby w t (long t I))).
     intros e [_ off_line] on_line. apply off_line. rewrite orientation_by_area. destruct t.
     now apply (proj1 (Qeq_alt _ _)). }
-  destruct (eventually_and _ _ (shifted_stays_within _ a half) (eventually_and _ _
-    (same_beside a (region_edges r)) (eventually_and _ _
-    (eventually_for_all _ (region_edges r) (fun s _ => shifted_off a s))
-    (eventually_for_all _ lines off_line)))) as (limit & L & all).
-  destruct (all ((1 # 2) * limit)) as (near_a & same_number & off_r & off_lines); [lra | lra |].
-  exists (moved (shifted a) ((1 # 2) * limit)). split; [| split; [split; [exact off_r | lia] | exact off_lines]].
-  apply (within_twice ((1 # 2) * radius) ((1 # 2) * radius) radius w a); [lra | exact close | exact near_a].
+  destruct (some_small _ (eventually_and _ _ (shifted_stays_within _ w R) (eventually_and _ _
+    (same_beside w segments) (eventually_and _ _ (shifted_off_all w segments)
+    (eventually_for_all _ lines off_line))))) as (e & _ & found). exists (moved (shifted w) e). exact found.
 Qed.
 
 (* Near w, w + y is inside in a direction y that is parallel to no edge at w, nor to z. *)
@@ -214,11 +266,14 @@ Lemma inner_direction (r : region) (w z : vector) (radius : Q) : valid_region r 
     (forall s, In s (region_edges r) -> lies_on w s -> ~ cross y (along s) == 0) /\
     (0 < winding_number (plus w y) (region_edges r))%Z.
 Proof.
-  intros (not_points & valid & meet) R proper_z on_boundary.
-  destruct (inner_point_off_lines r w radius (Segment w (plus w z) :: region_edges r)
-    (regions_are_regular r not_points valid meet) (or_intror on_boundary) R) as (p & close & [_ round] & general).
+  intros (not_points & valid & meet) R proper_z on_boundary. assert (half : 0 < (1 # 2) * radius) by lra.
+  destruct (inside_near r w _ (regions_are_regular r not_points valid meet) (or_intror on_boundary) half)
+    as (a & close_a & free & round).
+  destruct (point_beside a _ (region_edges r) (Segment w (plus w z) :: region_edges r) half)
+    as (p & close_p & same_number & _ & general).
   { intros t [<- | I]; [| now apply (region_edges_are_directions r)].
     intros [X Y]. apply proper_z. unfold along, plus, minus in X, Y; cbn [source target vx vy] in X, Y. lra. }
+  pose proof (within_twice ((1 # 2) * radius) ((1 # 2) * radius) radius w a p ltac:(lra) close_a close_p) as close.
   set (y := minus p w). exists y.
   split; [unfold within, y, plus, minus in *; cbn [vx vy]; lra |].
   split; [unfold within, y, plus, opposite, minus in *; cbn [vx vy]; lra |].
@@ -227,76 +282,45 @@ Proof.
     unfold area, cross, y, plus, minus; cbn [source target vx vy]. ring.
   - intros s I (k & _ & X & Y) parallel. apply (general s (or_intror I)). transitivity (- cross y (along s)); [| lra].
     unfold area, cross, y, along, minus; cbn [vx vy]. rewrite X, Y. ring.
-  - rewrite <- (winding_number_of_equal p (plus w y)); [exact round | unfold y, plus, minus; cbn [vx vy]; ring ..].
+  - rewrite <- (winding_number_of_equal p (plus w y)); [lia | unfold y, plus, minus; cbn [vx vy]; ring ..].
 Qed.
 
-Section OneDirection.
-  Variable r : region.
-  Variables w z d : vector.
-  Variable label : summand.
-  Variable radius : Q.
-  Hypothesis r_region : valid_region r.
-  Hypothesis near : nothing_else_near w radius r.
-  Hypothesis near_z : within radius w (plus w z).
-  Hypothesis clear_z : clear_direction w z r.
-  Hypothesis nothing_there : winding_number (plus w z) (region_edges r) = 0%Z.
-  Hypothesis proper_d : nonzero d.
-  Hypothesis z_back : same_direction d (opposite z).
-  Hypothesis no_tangent : tangents_at w (Direction d label) r = 0%Z.
-
-  Let not_points : no_edges_are_points r := proj1 r_region.
-
-  (* The sum is the same in a direction y and in the opposite one: one of them is inside. *)
-  Lemma half_by_a_general_direction (y : vector) : 0 < cross z y ->
-    within radius w (plus w y) -> within radius w (plus w (opposite y)) ->
-    (forall s, In s (region_edges r) -> lies_on w s -> ~ cross y (along s) == 0) ->
-    (0 < winding_number (plus w y) (region_edges r) \/
-     0 < winding_number (plus w (opposite y)) (region_edges r))%Z ->
-    (departures w r < 2 * departures_left_of w z r)%Z.
-  Proof.
-    intros turn near_y near_back general round.
-    assert (proper_y : nonzero y) by (intros [X Y]; unfold cross in turn; rewrite X, Y in turn; lra).
-    assert (back : forall v, cross (opposite y) v == - cross y v)
-      by (intros; unfold cross, opposite; cbn [vx vy]; ring).
-    assert (turn_back : 0 < cross (opposite y) z) by (rewrite back; unfold cross in *; lra).
-    assert (itself : forall v, same_direction v v) by (intros v; exists 1; split; [lra | split; ring]).
-    pose proof (general_directions_are_clear r w radius near y near_y general) as clear_y.
-    assert (clear_back : clear_direction w (opposite y) r).
-    { apply (general_directions_are_clear r w radius); trivial. intros s I on. rewrite back.
-      pose proof (general s I on). lra. }
-    pose proof (same_in_all_directions r w label radius not_points near z y d (opposite y) turn near_z near_y
-      clear_z clear_y proper_d (opposite_nonzero y proper_y) z_back (itself _)) as ahead.
-    assert (y_back : same_direction y (opposite (opposite y))) by (rewrite opposite_twice; apply itself).
-    pose proof (same_in_all_directions r w label radius not_points near (opposite y) z y d turn_back near_back near_z
-      clear_back clear_z proper_y proper_d y_back z_back) as behind.
-    assert (both_sides : (departures_left_of w y r + departures_left_of w (opposite y) r = departures w r)%Z).
-    { unfold departures_left_of, departures. rewrite <- sum_plus. apply sum_equally. intros s I.
-      destruct (departs w s) eqn:departing_; cbn [Z.b2z]; [| lia]. apply departs_is in departing_.
-      pose proof (general s I (proj1 departing_)) as aside. pose proof (back (along s)).
-      destruct (positive_spec (cross y (along s))), (positive_spec (cross (opposite y) (along s)));
-        cbn [Z.b2z]; try lia; exfalso; lra. }
-    assert (tangents : forall d', (0 <= tangents_at w d' r)%Z).
-    { intros d'. apply sum_is_not_negative. intros v _. unfold if_tangent.
-      destruct (same_place w (fst v)), (in_tangent_set d' (snd v)); cbn [Z.b2z]; lia. }
-    pose proof (tangents (Direction y label)). pose proof (tangents (Direction (opposite y) label)).
-    pose proof (nowhere_negative_everywhere r (proj1 (proj2 r_region))) as not_negative.
-    pose proof (not_negative (plus w y)). pose proof (not_negative (plus w (opposite y))). lia.
-  Qed.
-
-  (* Theorem. So more than half of the edges that leave w do so to the left of z. *)
-  Theorem more_than_half_depart_to_the_left : (exists s, In s (region_edges r) /\ lies_on w s) ->
-    (departures w r < 2 * departures_left_of w z r)%Z.
-  Proof.
-    intros on_boundary.
-    assert (proper_z : nonzero z).
-    { intros [X Y]. apply proper_d. destruct z_back as (m & _ & dx & dy). rewrite dx, dy. unfold opposite; cbn [vx vy].
-      rewrite X, Y. split; ring. }
-    destruct (inner_direction r w z radius r_region (proj1 near) proper_z on_boundary)
-      as (y & near_y & near_back & aside & general & round).
-    destruct (Q_dec (cross z y) 0) as [[right_ | left_] | parallel]; [| | contradiction].
-    - apply (half_by_a_general_direction (opposite y)); try rewrite opposite_twice; try tauto.
-      + unfold cross, opposite in *; cbn [vx vy]. lra.
-      + intros s I on parallel. apply (general s I on). unfold cross, opposite in *; cbn [vx vy] in *. lra.
-    - apply (half_by_a_general_direction y); tauto.
-  Qed.
-End OneDirection.
+(* Theorem. If the direction b does not lead inside, and -b is in no tangent set, more than half of the edges that leave
+   w do so to the left of b: the sum is the same in a direction y that is inside, and in -y. *)
+Theorem more_than_half_depart_to_the_left (r : region) (w b : vector) (label : summand) :
+  valid_region r -> nonzero b -> clear_direction w b r -> tangents_at w (Direction (opposite b) label) r = 0%Z ->
+  (exists s, In s (region_edges r) /\ lies_on w s) ->
+  eventually (fun k => inside (moved_along w b k) r \/ (departures w r < 2 * departures_left_of w b r)%Z).
+Proof.
+  intros r_region long clear_b no_tangent on_boundary. destruct (some_square w r) as (radius & near).
+  refine (eventually_implied _ _ _ (small_steps_are_clear r w b radius near long clear_b)).
+  intros k (clear_z & proper_z & <-). pose proof (proj1 r_region) as not_points. set (z := scaled k b) in *.
+  destruct (inside_or_nothing_there r w z _ radius r_region near clear_z proper_z) as [| nothing_there];
+    [now left | right].
+  destruct (inner_direction r w z radius r_region (proj1 near) proper_z on_boundary)
+    as (y & near_y & near_back & aside & general & round).
+  assert (proper_y : nonzero y) by (intros [X Y]; apply aside; unfold cross; rewrite X, Y; ring).
+  assert (turned_ : forall v, cross (opposite y) v == - cross y v /\ cross v (opposite y) == - cross v y)
+    by (intros; unfold cross, opposite; cbn [vx vy]; split; ring).
+  assert (itself : forall v, same_direction v v) by (intros v; exists 1; split; [lra | split; ring]).
+  assert (ahead : total r w label z (opposite b) = total r w label y (opposite y)).
+  { apply (same_in_all_directions r w label radius not_points near); trivial. split; [exact near_y |].
+    split; [now apply general_directions_are_clear |]. split; [now apply opposite_nonzero | apply itself]. }
+  assert (behind : total r w label z (opposite b) = total r w label (opposite y) y).
+  { apply (same_in_all_directions r w label radius not_points near); trivial.
+    - destruct (turned_ z) as [_ value]. rewrite value. lra.
+    - split; [exact near_back |]. split; [| split; [exact proper_y | rewrite opposite_twice; apply itself]].
+      apply general_directions_are_clear. intros s I on. destruct (turned_ (along s)) as [value _].
+      pose proof (general s I on). rewrite value. lra. }
+  assert (both_sides : (departures_left_of w y r + departures_left_of w (opposite y) r = departures w r)%Z).
+  { unfold departures_left_of, departures. rewrite <- sum_plus. apply sum_equally. intros s I.
+    destruct (departs w s) eqn:departing_; cbn [Z.b2z]; [| lia]. apply departs_is in departing_.
+    pose proof (general s I (proj1 departing_)). pose proof (turned_ (along s)).
+    destruct (positive_spec (cross y (along s))), (positive_spec (cross (opposite y) (along s)));
+      cbn [Z.b2z]; try lia; exfalso; lra. }
+  assert (tangents : forall d', (0 <= tangents_at w d' r)%Z).
+  { intros d'. apply sum_is_not_negative. intros v _. unfold if_tangent.
+    destruct (same_place w (fst v)), (in_tangent_set d' (snd v)); discriminate. }
+  pose proof (tangents (Direction y label)). pose proof (tangents (Direction (opposite y) label)).
+  pose proof (nowhere_negative_everywhere r (proj1 (proj2 r_region)) (plus w (opposite y))). unfold total in *. lia.
+Qed.

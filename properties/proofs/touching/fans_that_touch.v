@@ -10,7 +10,8 @@
 From Coq Require Import ZArith Lia Bool List.
 From Oplus Require Import numbers convolution signed_crossings tie_rule convolution_winding regions weight finite_sums
   tangent_count meeting_of_segments neighbourhoods winding_number_of_the_sum interiors_meet left_of_an_edge
-  theorem_4_2_1 simple_chain definition_2_2_8 boundary_points parallel_edges edges_at_a_point fan_at_a_point.
+  theorem_4_2_1 simple_chain definition_2_2_8 inside_a_corner boundary_points reduced_convolution edges_at_a_point
+  fan_at_a_point.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -36,15 +37,6 @@ Proof.
   unfold minus, vertex in *. cbn [source target vx vy] in *. split; cbn [vx vy]; lra.
 Qed.
 
-Lemma on_the_convolution (p q : region) (x : vector) (a b : list vector) :
-  In a p -> In b q -> on_a_segment a b x -> ~ off x (convolution_segments p q).
-Proof.
-  intros A B on_segment free.
-  destruct (proj2 (on_segments_of_regions p q x)) as (s & I & on); [now exists a, b |].
-  apply (free (Segment (starts_at s) (ends_at s))); [| exact on].
-  apply (in_map (fun s => Segment (starts_at s) (ends_at s)) _ _ I).
-Qed.
-
 Lemma tangent_vertex_or_none (r : region) (w : vector) (d : direction) :
   (exists chain i, In chain r /\ (i < length chain)%nat /\ equal_vectors w (vertex chain i) /\
      in_tangent_set d (corner_of_chain chain i) = true) \/ tangents_at w d r = 0%Z.
@@ -61,66 +53,109 @@ Proof.
     destruct (same_place w (fst v)), (in_tangent_set d (snd v)); discriminate.
 Qed.
 
-(* Off the convolution no edges of one direction add up to x, and no tangent edge. *)
-Section OffTheConvolution.
+(* Edges of one direction that add up to x, and an edge and a vertex that has it in its tangent set. *)
+Section Pair.
   Variables p q : region.
   Variables x w u : vector.
   Hypothesis p_region : valid_region p.
   Hypothesis q_region : valid_region q.
-  Hypothesis free : off x (convolution_segments p q).
   Hypothesis sum_ : equal_vectors x (plus w u).
 
-  Lemma no_common_direction (e f : segment) : In e (region_edges p) -> In f (region_edges q) ->
-    lies_on w e -> lies_on u f -> ~ same_direction (along e) (along f).
+  Lemma common_direction_is_a_tie (e f : segment) : In e (region_edges p) -> In f (region_edges q) ->
+    lies_on w e -> lies_on u f -> same_direction (along e) (along f) ->
+    exists a b, In a p /\ In b q /\ on_a_tie a b (along e) x.
   Proof.
     intros E F on_e on_f same_.
     apply same_direction_angle in same_; [| apply (region_edges_are_directions _ (proj1 p_region)); exact E |
       apply (region_edges_are_directions _ (proj1 q_region)); exact F].
-    destruct (edge_by_chain p e E) as (a & i & A & I & ->). destruct (edge_by_chain q f F) as (b & j & B & J & ->).
+    destruct (edge_by_chain p e E) as (a & i & A & I & ->), (edge_by_chain q f F) as (b & j & B & J & ->).
     destruct (on_by_index a i w I on_e) as (t & t_range & w_is), (on_by_index b j u J on_f) as (o & o_range & u_is).
-    apply (on_the_convolution p q x a b A B); [| exact free].
-    apply (sum_of_two_edges a b (chains_turn_everywhere p a p_region A) (chains_turn_everywhere q b q_region B)
+    exists a, b. split; [exact A |]. split; [exact B |]. unfold edge_at in *.
+    rewrite <- !direction_by_index in * by assumption.
+    apply (sum_along_two_edges a b (chains_turn_everywhere p a p_region A) (chains_turn_everywhere q b q_region B)
       i j t o); trivial.
-    - rewrite !direction_by_index by assumption. exact same_.
-    - rewrite sum_. now apply plus_of_equal.
+    rewrite sum_. now apply plus_of_equal.
   Qed.
 
-  Lemma no_tangent_of_q (f : segment) : In f (region_edges q) -> lies_on u f ->
-    tangents_at w (Direction (along f) OfQ) p = 0%Z.
+  Lemma tie_is_covered (a b : list vector) (d : vector) : In a p -> In b q -> nonzero d -> on_a_tie a b d x ->
+    covered_along p q x d.
   Proof.
-    intros F on_f. destruct (edge_by_chain q f F) as (b & j & B & J & ->).
-    destruct (on_by_index b j u J on_f) as (o & o_range & u_is).
-    destruct (tangent_vertex_or_none p w (Direction (along (edge_at b j)) OfQ))
-      as [(a & i & A & I & at_vertex & tangent) |]; [exfalso | assumption].
-    apply (on_the_convolution p q x a b A B); [| exact free].
-    exists i, j, o. split; [exact I |]. split; [exact J |]. split; [exact o_range |]. right. split.
-    - unfold is_convolution_segment. rewrite direction_by_index by exact J. exact tangent.
-    - rewrite sum_. now apply plus_of_equal.
+    intros A B proper_d tie. pose proof (chains_turn_everywhere p a p_region A) as turning_p.
+    pose proof (chains_turn_everywhere q b q_region B) as turning_q.
+    apply (ties_are_segments a b turning_p turning_q) in tie.
+    destruct tie as (i & j & t & I & J & range & [(belongs & same_ & x_is) | (belongs & same_ & x_is)]).
+    - apply (covered_in_the_same_direction _ x (edge_of_chain a i));
+        [apply same_direction_angle; trivial; now apply edge_proper |].
+      exact (proj1 (covered_by_index p q x a b A B OfP i j t I J range belongs x_is)).
+    - apply (covered_in_the_same_direction _ x (edge_of_chain b j));
+        [apply same_direction_angle; trivial; now apply edge_proper |].
+      exact (proj1 (covered_by_index p q x a b A B OfQ i j t I J range belongs x_is)).
   Qed.
 
-  Lemma no_tangent_of_p (e : segment) : In e (region_edges p) -> lies_on w e ->
-    tangents_at u (Direction (along e) OfP) q = 0%Z.
+  Lemma tangent_of_p_is_covered (e : segment) (b : list vector) j : In e (region_edges p) -> lies_on w e ->
+    In b q -> (j < length b)%nat -> equal_vectors u (vertex b j) ->
+    in_tangent_set (Direction (along e) OfP) (corner_of_chain b j) = true ->
+    covered_along p q x (along e) /\ (convex (corner_of_chain b j) -> reduced_along p q x (along e)).
   Proof.
-    intros E on_e. destruct (edge_by_chain p e E) as (a & i & A & I & ->).
-    destruct (on_by_index a i w I on_e) as (t & t_range & w_is).
-    destruct (tangent_vertex_or_none q u (Direction (along (edge_at a i)) OfP))
-      as [(b & j & B & J & at_vertex & tangent) |]; [exfalso | assumption].
-    apply (on_the_convolution p q x a b A B); [| exact free].
-    exists i, j, t. split; [exact I |]. split; [exact J |]. split; [exact t_range |]. left. split.
-    - unfold is_convolution_segment. rewrite direction_by_index by exact I. exact tangent.
-    - rewrite sum_. now apply plus_of_equal.
+    intros E on_e B J at_vertex tangent. destruct (edge_by_chain p e E) as (a & i & A & I & ->).
+    destruct (on_by_index a i w I on_e) as (t & range & w_is). unfold edge_at in *.
+    rewrite <- direction_by_index in * by exact I.
+    apply (covered_by_index p q x a b A B OfP i j t I J range tangent). rewrite sum_. now apply plus_of_equal.
   Qed.
-End OffTheConvolution.
 
-Lemma goes_ahead_from (w : vector) (s : segment) : departs w s = true ->
-  eventually (fun t => lies_on (moved_along w (along s) t) s).
+  Lemma tangent_of_q_is_covered (f : segment) (a : list vector) i : In f (region_edges q) -> lies_on u f ->
+    In a p -> (i < length a)%nat -> equal_vectors w (vertex a i) ->
+    in_tangent_set (Direction (along f) OfQ) (corner_of_chain a i) = true ->
+    covered_along p q x (along f) /\ (convex (corner_of_chain a i) -> reduced_along p q x (along f)).
+  Proof.
+    intros F on_f A I at_vertex tangent. destruct (edge_by_chain q f F) as (b & j & B & J & ->).
+    destruct (on_by_index b j u J on_f) as (t & range & u_is). unfold edge_at in *.
+    rewrite <- direction_by_index in * by exact J.
+    apply (covered_by_index p q x a b A B OfQ i j t I J range tangent). rewrite sum_. now apply plus_of_equal.
+  Qed.
+End Pair.
+
+Lemma goes_ahead_along (w d : vector) (s : segment) : departs w s = true -> same_direction d (along s) ->
+  eventually (fun t => lies_on (moved_along w d t) s).
 Proof.
-  intros departing_. apply departs_is in departing_. destruct departing_ as [(k & [k0 k1] & X & Y) goes_on].
+  intros departing_ (m & some & mx & my). apply departs_is in departing_.
+  destruct departing_ as [(k & [k0 k1] & X & Y) goes_on].
   assert (before_end : k < 1).
   { apply Qnot_le_lt. intros at_end. apply goes_on. assert (k_is : k == 1) by lra. rewrite k_is in X, Y.
     split; lra. }
-  exists (1 - k). split; [lra |]. intros t t0 t1. exists (k + t). split; [lra |].
-  unfold moved_along, along, minus; cbn [vx vy]. rewrite X, Y. split; ring.
+  exists ((1 - k) / m). split; [apply Qlt_shift_div_l; lra |]. intros t t0 t1. exists (k + t * m).
+  assert (t * m < (1 - k) / m * m) by now apply Qmult_lt_r. assert (value : (1 - k) / m * m == 1 - k) by (field; lra).
+  split; [split; nra |]. in_coordinates. rewrite X, Y, mx, my. split; ring.
+Qed.
+
+Lemma goes_ahead_from (w : vector) (s : segment) : departs w s = true ->
+  eventually (fun t => lies_on (moved_along w (along s) t) s).
+Proof. intros departing_. apply (goes_ahead_along w _ s departing_), same_direction_reflexive. Qed.
+
+Lemma parallel_directions (u v : vector) : nonzero u -> nonzero v -> cross u v == 0 ->
+  same_direction u v \/ same_direction u (opposite v).
+Proof.
+  intros long_u long_v parallel. destruct (multiple_of u v long_v parallel) as (c & X & Y).
+  destruct (Q_dec c 0) as [[low | high] | none]; [right | left | exfalso].
+  - exists (- c). unfold opposite; cbn [vx vy]. rewrite X, Y. split; [lra | split; ring].
+  - now exists c.
+  - apply long_u. rewrite X, Y, none. split; ring.
+Qed.
+
+(* Edges that leave a common point in opposite directions. *)
+Lemma opposite_edges_meet (p q : region) (x w u : vector) (e f : segment) :
+  valid_region p -> valid_region q -> equal_vectors x (plus w u) -> In e (region_edges p) -> In f (region_edges q) ->
+  departs w e = true -> departs u f = true -> same_direction (along e) (opposite (along f)) -> interiors_meet x p q.
+Proof.
+  intros p_region q_region [X Y] E F e_departs f_departs back.
+  pose proof (region_edges_are_directions p (proj1 p_region) e E) as long. pose proof back as (m & some & mx & my).
+  destruct (some_small _ (eventually_and _ _ (goes_ahead_from w e e_departs) (eventually_and _ _
+    (goes_ahead_along u (opposite (along e)) f f_departs ltac:(exists m; unfold opposite in *; cbn [vx vy] in *;
+      rewrite mx, my; split; [exact some | split; ring])) (leaves_all_vertices p w (along e) long))))
+    as (t & _ & on_e & on_f & no_vertex).
+  apply (opposite_edge_meets p q x (moved_along w (along e) t) (moved_along u (opposite (along e)) t) (along e) f);
+    trivial; [| now apply fills_left_beside_an_edge].
+  unfold plus, moved_along, opposite in *; cbn [vx vy] in *. split; cbn [vx vy]; lra.
 Qed.
 
 Lemma one_or_all {T : Type} (A : Prop) (B : T -> Prop) (l : list T) :
@@ -130,17 +165,6 @@ Proof.
   destruct (each s (or_introl eq_refl)) as [a | here]; [now left |].
   destruct IH as [a | there]; [intros t I; apply each; now right | now left |].
   right. intros t [<- | I]; auto.
-Qed.
-
-Lemma same_half (r : region) (w a b : vector) (k : Q) : 0 < k -> vx b == k * vx a -> vy b == k * vy a ->
-  departures_left_of w b r = departures_left_of w a r.
-Proof.
-  intros some X Y. apply sum_equally. intros s _. f_equal. f_equal.
-  assert (value : cross b (along s) == k * cross a (along s)) by (unfold cross; rewrite X, Y; ring).
-  destruct (positive_spec (cross b (along s))) as [left_ | none],
-    (positive_spec (cross a (along s))) as [left' | none']; try reflexivity; exfalso.
-  - assert (0 <= k * - cross a (along s)) by (apply Qmult_le_0_compat; lra). lra.
-  - apply none. rewrite value. now apply Qmult_lt_0_compat.
 Qed.
 
 (* An edge f of the one that leaves the common point: the interiors meet, or more than half of the edges of the other
@@ -154,55 +178,24 @@ Lemma half_beside_an_edge (p q : region) (x w u : vector) (f : segment) (label :
 Proof.
   intros p_region q_region sum_ on_boundary F f_departs no_common no_tangent.
   pose proof p_region as (p_edges & p_valid & p_meet). pose proof q_region as (q_edges & q_valid & q_meet).
-  pose proof (regions_are_regular q q_edges q_valid q_meet) as q_regular.
   pose proof (region_edges_are_directions q q_edges f F) as long. set (g := along f) in *.
-  assert (decided : interiors_meet x p q \/ forall e, In e (region_edges p) ->
-    departs w e = true -> ~ cross (opposite g) (along e) == 0).
-  { apply (one_or_all _ (fun e => departs w e = true -> ~ cross (opposite g) (along e) == 0)). intros e E.
-    destruct (departs w e) eqn:e_departs; [| right; discriminate].
-    destruct (Qeq_dec (cross (opposite g) (along e)) 0) as [parallel | turn]; [left | now right].
-    apply (opposite_edges_meet p q x w u e f); trivial; try now apply goes_ahead_from.
-    pose proof (region_edges_are_directions p p_edges e E) as long_e. fold g.
-    pose proof (opposite_nonzero g long) as long_back. apply departs_is in e_departs.
-    pose proof (no_common e E (proj1 e_departs)) as differ. rewrite same_direction_angle in differ |- * by trivial.
-    pose proof (cross_angle _ _ long_back long_e) as turn_. unfold turns_by in turn_.
-    pose proof (opposite_angle g long). pose proof (angle_range _ long). pose proof (angle_range _ long_e). lra. }
-  destruct decided as [| aside]; [now left |].
-  destruct (some_square w p) as (radius & near). pose proof near as [R near_].
-  destruct (eventually_and _ _ (small_steps_stay_within radius w (opposite g) R) (goes_ahead_from u f f_departs))
-    as (limit & L & close).
-  destruct (close ((1 # 2) * limit)) as [near_z on_f]; [lra | lra |].
-  set (k := (1 # 2) * limit) in *. assert (some : 0 < k) by (unfold k; lra). clearbody k. fold g in on_f.
-  set (z := Vector (k * vx (opposite g)) (k * vy (opposite g))).
-  assert (z_back : same_direction g (opposite z)).
-  { exists (/ k). split; [now apply Qinv_lt_0_compat |]. unfold z, opposite; cbn [vx vy]. split; field; lra. }
-  assert (aside_z : forall e, cross z (along e) == 0 -> cross (opposite g) (along e) == 0).
-  { intros e parallel. apply (Qmult_inj_r _ _ k); [lra |].
-    transitivity (cross z (along e)); [unfold cross, z; cbn [vx vy]; ring | lra]. }
-  assert (no_common_z : forall e, In e (region_edges p) -> lies_on w e -> ~ same_direction (along e) (opposite z)).
-  { intros e E on (m & m_some & X & Y). apply (no_common e E on). exists (m * k).
-    unfold z, opposite in X, Y; cbn [vx vy] in X, Y. rewrite X, Y.
-    split; [now apply Qmult_lt_0_compat | split; ring]. }
-  destruct (on_or_off (plus w z) (region_edges p)) as [(e & E & on) | off_z].
-  - (* an edge there neither leaves w nor enters it *)
-    exfalso. destruct (near_ e) as [on_w | free]; [apply in_flat_map; exists e; split; [exact E | now left] | |].
-    2: exact (free _ near_z on).
+  assert (long_back : nonzero (opposite g)) by now apply opposite_nonzero.
+  destruct (one_or_all (interiors_meet x p q) (fun e => departs w e = true -> ~ cross (opposite g) (along e) == 0)
+    (region_edges p)) as [| aside]; [| now left |].
+  { intros e E. destruct (departs w e) eqn:e_departs; [| right; discriminate].
+    destruct (Qeq_dec (cross (opposite g) (along e)) 0) as [flat | turn]; [left | now right].
     pose proof (region_edges_are_directions p p_edges e E) as long_e.
-    destruct (ahead_or_behind w z e on_w on) as (m & X & Y & ahead & _).
-    destruct (Q_dec m 0) as [[low | high] | none].
-    + apply (no_common_z e E on_w). exists (/ - m). split; [apply Qinv_lt_0_compat; lra |].
-      unfold opposite; cbn [vx vy]. rewrite X, Y. split; field; lra.
-    + apply (aside e E (ahead high long_e)), aside_z. unfold cross. rewrite X, Y. ring.
-    + apply long. rewrite none in X, Y. unfold z, opposite in X, Y; cbn [vx vy] in X, Y.
-      split; apply (Qmult_inj_r _ _ k); lra.
-  - destruct (Z_lt_le_dec 0 (winding_number (plus w z) (region_edges p))) as [round | none].
-    + left. apply (inner_point_and_point p q x (plus w z) (moved_along u g k) q_regular); [now split | |].
-      * right. now exists f.
-      * destruct sum_ as [X Y]. unfold plus, moved_along, z, opposite in *; cbn [vx vy] in *. split; cbn [vx vy]; lra.
-    + right. pose proof (p_valid _ off_z). rewrite <- (same_half p w (opposite g) z k some); [| reflexivity ..].
-      apply (more_than_half_depart_to_the_left p w z g label radius); trivial; [| lia].
-      split; [exact off_z |]. intros e E on. split; [now apply no_common_z |].
-      intros e_departs parallel. now apply (aside e E e_departs), aside_z.
+    destruct (parallel_directions (along e) g) as [same_ | back]; trivial;
+      [unfold cross, opposite in *; cbn [vx vy] in *; lra | | now apply (opposite_edges_meet p q x w u e f)].
+    exfalso. apply departs_is in e_departs. exact (no_common e E (proj1 e_departs) same_). }
+  assert (clear_back : clear_direction w (opposite g) p).
+  { intros e E on. split; [rewrite opposite_twice; now apply no_common | now apply aside]. }
+  destruct (some_small _ (eventually_and _ _ (goes_ahead_from u f f_departs) (more_than_half_depart_to_the_left p w
+    (opposite g) label p_region long_back clear_back ltac:(now rewrite opposite_twice) on_boundary)))
+    as (k & _ & on_f & [in_p | half]); [left | now right].
+  apply (inner_point_and_point p q x _ (moved_along u g k)
+    (regions_are_regular q q_edges q_valid q_meet) in_p (or_intror (ex_intro _ f (conj F on_f)))).
+  destruct sum_ as [X Y]. unfold plus, moved_along, opposite in *; cbn [vx vy] in *. split; cbn [vx vy]; lra.
 Qed.
 
 Lemma some_edge_departs (r : region) (w : vector) : no_edges_are_points r ->
@@ -212,11 +205,8 @@ Proof.
   assert (found : exists t, In t (region_edges r) /\ departs w t = true).
   { destruct (same_place_spec w (target s)) as [at_end | goes_on];
       [| exists s; split; [exact I | apply departs_is; tauto]].
-    destruct (target_is_vertex r s I) as (t & J & equal). exists t. split; [exact J |]. apply departs_is.
-    assert (at_start : equal_vectors w (source t)) by now rewrite at_end.
-    split; [apply (lies_on_equal (source t)); [now symmetry | apply source_lies_on] |].
-    intros [X Y]. destruct at_start as [X' Y']. apply (region_edges_are_directions r not_points t J).
-    unfold along, minus; cbn [vx vy]. lra. }
+    destruct (target_is_vertex r s I) as (t & J & equal). exists t. split; [exact J |].
+    apply departs_from_its_source; [now apply (region_edges_are_directions r) | now rewrite at_end]. }
   destruct found as (t & J & t_departs).
   assert (terms : forall s, In s (region_edges r) -> (0 <= Z.b2z (departs w s))%Z)
     by (intros e _; destruct (departs w e); cbn; lia).
@@ -263,33 +253,33 @@ Theorem common_point_off_the_convolution (p q : region) (x : vector) :
   valid_region p -> valid_region q -> off x (convolution_segments p q) -> in_sum x p q -> interiors_meet x p q.
 Proof.
   intros p_region q_region free (w & u & in_p & in_q & sum_).
-  pose proof p_region as (p_edges & p_valid & p_meet). pose proof q_region as (q_edges & q_valid & q_meet).
-  pose proof (regions_are_regular p p_edges p_valid p_meet) as p_regular.
-  pose proof (regions_are_regular q q_edges q_valid q_meet) as q_regular.
   assert (swapped : equal_vectors x (plus u w))
     by (destruct sum_ as [X Y]; unfold plus in *; cbn [vx vy] in *; split; cbn [vx vy]; lra).
-  destruct (on_or_off w (region_edges p)) as [on_p | off_p].
-  2: { apply (inner_point_and_point p q x w u q_regular); trivial. split; [exact off_p |].
-       destruct in_p as [positive_ | (s & S & on)]; [exact positive_ | exfalso; exact (off_p s S on)]. }
-  destruct (on_or_off u (region_edges q)) as [on_q | off_q].
-  2: { apply interiors_meet_other_way. apply (inner_point_and_point q p x u w p_regular); trivial.
-       split; [exact off_q |].
-       destruct in_q as [positive_ | (s & S & on)]; [exact positive_ | exfalso; exact (off_q s S on)]. }
+  destruct (both_on_boundaries_or_meet p q x w u) as [[on_p on_q] |]; trivial.
+  assert (not_covered : forall d, ~ covered_along p q x d) by (intros d (s & S & on & _); exact (free s S on)).
+  assert (no_common : forall e f, In e (region_edges p) -> In f (region_edges q) -> lies_on w e -> lies_on u f ->
+    ~ same_direction (along e) (along f)).
+  { intros e f E F on_e on_f same_. destruct (common_direction_is_a_tie p q x w u p_region q_region sum_ e f)
+      as (a & b & A & B & tie); trivial.
+    apply (not_covered (along e)), (tie_is_covered p q x p_region q_region a b); trivial.
+    now apply (region_edges_are_directions p (proj1 p_region)). }
   destruct (one_or_all (interiors_meet x p q) (fun f => departs u f = true ->
     (departures w p < 2 * departures_left_of w (opposite (along f)) p)%Z) (region_edges q)) as [| right_of_q]; trivial.
   { intros f F. destruct (departs u f) eqn:f_departs; [| right; discriminate].
     pose proof (proj1 (proj1 (departs_is u f) f_departs)) as on_f.
     destruct (half_beside_an_edge p q x w u f OfQ p_region q_region sum_ on_p F f_departs) as [|]; auto.
-    - intros e E on_e. now apply (no_common_direction p q x w u).
-    - now apply (no_tangent_of_q p q x w u). }
+    destruct (tangent_vertex_or_none p w (Direction (along f) OfQ)) as [(a & i & A & I & at_vertex & tangent) |];
+      trivial.
+    exfalso. apply (not_covered (along f)), (tangent_of_q_is_covered p q x w u sum_ f a i); trivial. }
   destruct (one_or_all (interiors_meet x p q) (fun e => departs w e = true ->
     (departures u q < 2 * departures_left_of u (opposite (along e)) q)%Z) (region_edges p)) as [| right_of_p]; trivial.
   { intros e E. destruct (departs w e) eqn:e_departs; [| right; discriminate].
     pose proof (proj1 (proj1 (departs_is w e) e_departs)) as on_e.
     destruct (half_beside_an_edge q p x u w e OfP q_region p_region swapped on_q E e_departs) as [meet |]; auto.
-    - intros f F on_f same_. apply (no_common_direction p q x w u p_region q_region free sum_ e f); trivial.
-      now apply same_direction_symmetric.
-    - now apply (no_tangent_of_p p q x w u).
+    - intros f F on_f same_. now apply (no_common e f), same_direction_symmetric.
+    - destruct (tangent_vertex_or_none q u (Direction (along e) OfP)) as [(b & j & B & J & at_vertex & tangent) |];
+        trivial.
+      exfalso. apply (not_covered (along e)), (tangent_of_p_is_covered p q x w u sum_ e b j); trivial.
     - left. now apply interiors_meet_other_way. }
   (* of two edges only one is to the right of the other *)
   exfalso. apply (not_more_than_half_both_ways _ _ (fun e => Z.b2z (departs w e)) (fun f => Z.b2z (departs u f))
@@ -303,8 +293,8 @@ Proof.
       (positive_spec (cross (opposite (along e)) (along f))); cbn [Z.b2z]; try lia; exfalso; lra.
   - intros f F f_departs. apply (right_of_q f F). now destruct (departs u f).
   - intros e E e_departs. apply (right_of_p e E). now destruct (departs w e).
-  - now apply (some_edge_departs p w).
-  - now apply (some_edge_departs q u).
+  - exact (some_edge_departs p w (proj1 p_region) on_p).
+  - exact (some_edge_departs q u (proj1 q_region) on_q).
 Qed.
 
 (* Theorem 4.2.1 for interiors. Off the convolution, the winding number is positive if and only if the interiors of P
