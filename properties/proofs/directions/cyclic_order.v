@@ -1,6 +1,5 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* before is a strict linear order of the labelled directions, ccw the strict cyclic order that it
-   closes to. *)
+(* before is a strict linear order of the labelled directions, ccw the strict cyclic order that it closes to. *)
 From Coq Require Import QArith Lqa Bool.
 From Oplus Require Import direction angle.
 
@@ -35,8 +34,7 @@ Ltac compared a b :=
     by (now apply compare_spec);
   apply CompareSpec2Type in c; destruct c.
 
-Lemma before_spec (a b : direction) :
-  proper a -> proper b -> reflect (earlier a b) (before a b).
+Lemma before_spec (a b : direction) : proper a -> proper b -> reflect (earlier a b) (before a b).
 Proof. intros m n. unfold before. compared a b; constructor; order. Qed.
 
 Lemma same_spec (a b : direction) : proper a -> proper b -> reflect (equal a b) (same a b).

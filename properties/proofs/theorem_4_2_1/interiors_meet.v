@@ -34,9 +34,7 @@ Proof.
 Qed.
 
 Lemma opposite_twice (d : vector) : opposite (opposite d) = d.
-Proof.
-  destruct d as [[a b] [a' b']]. unfold opposite, Qopp; cbn. now rewrite !Z.opp_involutive.
-Qed.
+Proof. destruct d as [[a b] [a' b']]. unfold opposite, Qopp; cbn. now rewrite !Z.opp_involutive. Qed.
 
 (* The winding number is the same at all vertices of a chain that other chains do not meet. *)
 Lemma same_at_all_vertices (chain : list vector) (others : list segment) :
@@ -226,8 +224,7 @@ Proof.
   rewrite winding_number_of_reflected in none; [lia | apply region_cycles | exact free].
 Qed.
 
-Lemma off_equal (a b : vector) (segments : list segment) :
-  equal_vectors a b -> off a segments -> off b segments.
+Lemma off_equal (a b : vector) (segments : list segment) : equal_vectors a b -> off a segments -> off b segments.
 Proof. intros equal free s I on. apply (free s I). now apply (lies_on_equal b); [symmetry |]. Qed.
 
 Lemma shifted_minus (x v : vector) (e : Q) :
