@@ -1,6 +1,7 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Algorithm 2 of the thesis, segments marked as soon as they are taken: where two unvisited segments leave a state,
-   either may be taken. And as printed, where nothing is marked within a cycle: then it need not end. *)
+(* Algorithm 2 of the thesis, segments marked as soon as they are taken: where two unvisited
+   segments leave a state, either may be taken. And as printed, where nothing is marked within a
+   cycle: then it need not end. *)
 From Coq Require Import QArith Lia Bool List Permutation Arith.
 From Oplus Require Import convolution tracing.
 Import ListNotations.

@@ -1,5 +1,6 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Lemma 4.1.5: the convolution graph (thesis, Definition 4.1.2) decomposes into cycles that share no edge. *)
+(* Lemma 4.1.5: the convolution graph (thesis, Definition 4.1.2) decomposes into cycles that share
+   no edge. *)
 From Coq Require Import QArith Qreduction Lia Bool List Permutation.
 From Oplus Require Import convolution tracing balanced_graph.
 Import ListNotations.

@@ -1,6 +1,7 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Lemma 4.1.8 with no hypothesis on turning numbers: for all simple chains, counterclockwise or, as holes are,
-   clockwise. What is counted is in rows_and_columns.v, that simple chains turn once in simple_chains_turn_once.v. *)
+   clockwise. What is counted is in rows_and_columns.v, that simple chains turn once in
+   simple_chains_turn_once.v. *)
 From Coq Require Import Lia Bool List.
 From Oplus Require Import convolution rows_and_columns simple_chain simple_chains_turn_once.
 Import ListNotations.

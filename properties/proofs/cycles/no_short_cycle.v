@@ -1,5 +1,6 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Corollary 4.1.9 as printed is false: two chains of n and m vertices need not have a cycle of n + m segments. *)
+(* Corollary 4.1.9 as printed is false: two chains of n and m vertices need not have a cycle of n + m
+   segments. *)
 From Coq Require Import PeanoNat QArith Lia Bool List Permutation.
 From Oplus Require Import convolution tracing balanced_graph convolution_graph.
 Import ListNotations.

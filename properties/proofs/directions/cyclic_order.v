@@ -1,5 +1,6 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* before is a strict linear order of the labelled directions, ccw the strict cyclic order that it closes to. *)
+(* before is a strict linear order of the labelled directions, ccw the strict cyclic order that it
+   closes to. *)
 From Coq Require Import QArith Lqa Bool.
 From Oplus Require Import direction angle.
 

@@ -1,6 +1,7 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Tangent sets (thesis, Definition 2.1.13) are empty inside straight lines only, and every closed chain has a vertex
-   whose tangent set is not empty. Directions and ccw are those of direction.v, chains those of turning_number.v. *)
+(* Tangent sets (thesis, Definition 2.1.13) are empty inside straight lines only, and every closed chain has a
+   vertex whose tangent set is not empty. Directions and ccw are those of direction.v, chains those of
+   turning_number.v. *)
 From Coq Require Import QArith Lqa Lia Bool List.
 From Oplus Require Import convolution regions small_numbers first_hit first_edge_of_a_ray.
 Import ListNotations.

@@ -1,7 +1,8 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Lemma 4.2.13: with the segments of vertices replaced by their flip sets (replaced_segments.v), the convolution still
-   consists of closed chains, so that winding numbers are well defined, as the thesis means it: signed crossings of
-   closed paths add up to zero. Closed chains and rays are from winding_number.v, paths from signed_crossings.v. *)
+(* Lemma 4.2.13: with the segments of vertices replaced by their flip sets (replaced_segments.v), the convolution
+   still consists of closed chains, so that winding numbers are well defined, as the thesis means it: signed
+   crossings of closed paths add up to zero. Closed chains and rays are from winding_number.v, paths from
+   signed_crossings.v. *)
 From Coq Require Import QArith ZArith Lia Bool List SetoidList SetoidPermutation.
 From Oplus Require Import convolution signed_crossings convolution_winding finite_sums regions replaced_segments.
 Import ListNotations.

@@ -1,8 +1,10 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* All along an edge that meets others at its ends only, the winding number close to its right is the same: that right
-   of its middle, as the code counts it on symbolic shifts (beside_a_piece.v). And the winding number of every point
-   off the chains is that to the right of some edge, one more, or zero: go to the right until the first edge
-   (first_hit.v). So winding numbers are nowhere negative if they are not beside the middles of edges. *)
+   of
+   its middle, as the code counts it on symbolic shifts (beside_a_piece.v).
+   And the winding number of every point off the
+   chains is that to the right of some edge, one more, or zero: go to the right until the first edge (first_hit.v). So
+   winding numbers are nowhere negative if they are not beside the middles of edges. *)
 From Coq Require Import QArith Lqa ZArith Lia Bool List.
 From Oplus Require Import regions_and_sums observation_2_2_4.
 From Oplus Require Export beside_a_piece.
