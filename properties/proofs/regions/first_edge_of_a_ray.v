@@ -1,6 +1,7 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* From a point off some segments, unless all are on lines through the point, there is a ray that avoids their ends and
-   meets one of them first. What holds for all small enough numbers is in shifted_ray.v and signed_crossings.v. *)
+(* From a point off some segments, unless all are on lines through the point, there is a ray that avoids their
+   ends and meets one of them first. What holds for all small enough numbers is in shifted_ray.v and
+   signed_crossings.v. *)
 From Coq Require Import QArith Lqa Qfield ZArith Lia Bool List.
 From Oplus Require Import convolution shifted_ray signed_crossings meeting_of_segments first_hit small_numbers
   regions neighbourhoods.

@@ -34,7 +34,9 @@ Proof.
 Qed.
 
 Lemma opposite_twice (d : vector) : opposite (opposite d) = d.
-Proof. destruct d as [[a b] [a' b']]. unfold opposite, Qopp; cbn. now rewrite !Z.opp_involutive. Qed.
+Proof.
+  destruct d as [[a b] [a' b']]. unfold opposite, Qopp; cbn. now rewrite !Z.opp_involutive.
+Qed.
 
 (* The winding number is the same at all vertices of a chain that other chains do not meet. *)
 Lemma same_at_all_vertices (chain : list vector) (others : list segment) :
