@@ -16,9 +16,8 @@ Definition edge_of_chain (chain : list vector) (i : nat) : vector := nth i (edge
 Definition corner_of_chain (chain : list vector) (j : nat) : corner :=
   nth j (corners chain) (Corner nowhere nowhere).
 
-(* Whether a convolution segment (thesis, Definition 2.2.7) leaves the state of vertex i of P and vertex
-   j of Q along the edge of P, or that of Q, which begins there: the edge's direction is in the tangent
-   set of the other vertex. *)
+(* Whether a convolution segment (thesis, Definition 2.2.7) leaves the state of vertex i of P and vertex j of Q along
+   the edge of P, or that of Q, which begins there: the edge's direction is in the tangent set of the other vertex. *)
 Definition is_convolution_segment (p q : list vector) (along : summand) (i j : nat) : bool :=
   match along with
   | OfP => in_tangent_set (Direction (edge_of_chain p i) OfP) (corner_of_chain q j)
@@ -31,21 +30,16 @@ Definition convolution (p q : list vector) : list (summand * (nat * nat)) :=
     (list_prod [OfP; OfQ] (list_prod (seq 0 (length p)) (seq 0 (length q)))).
 
 Lemma count_of_two : forall A (f : A -> bool) l m, count f (l ++ m) = count f l + count f m.
-Proof.
-  intros A f l m. unfold count. rewrite filter_app, app_length. reflexivity.
-Qed.
+Proof. intros A f l m. unfold count. rewrite filter_app, app_length. reflexivity. Qed.
 
-Lemma count_of_images : forall A B (f : B -> bool) (g : A -> B) l,
-  count f (map g l) = count (fun a => f (g a)) l.
+Lemma count_of_images : forall A B (f : B -> bool) (g : A -> B) l, count f (map g l) = count (fun a => f (g a)) l.
 Proof.
   intros A B f g l. unfold count. induction l as [| a l IH]; [reflexivity |].
   cbn. destruct (f (g a)); cbn; rewrite IH; reflexivity.
 Qed.
 
 Lemma count_equally : forall A (f g : A -> bool) l, (forall a, In a l -> f a = g a) -> count f l = count g l.
-Proof.
-  intros A f g l H. unfold count. f_equal. apply filter_ext_in. exact H.
-Qed.
+Proof. intros A f g l H. unfold count. f_equal. apply filter_ext_in. exact H. Qed.
 
 Lemma count_column : forall A B (f : B * A -> bool) a l m,
   count f (list_prod m (a :: l)) = count (fun b => f (b, a)) m + count f (list_prod m l).
@@ -77,9 +71,7 @@ Qed.
 
 Lemma count_of_nth : forall A (f : A -> bool) l d k, length l = k ->
   count (fun i => f (nth i l d)) (seq 0 k) = count f l.
-Proof.
-  intros A f l d k <-. rewrite <- (count_of_images _ _ f (fun i => nth i l d)), nth_of_all. reflexivity.
-Qed.
+Proof. intros A f l d k <-. rewrite <- (count_of_images _ _ f (fun i => nth i l d)), nth_of_all. reflexivity. Qed.
 
 Lemma edges_length : forall chain, length (edge_directions chain) = length chain.
 Proof.

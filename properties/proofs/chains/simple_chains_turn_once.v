@@ -48,12 +48,10 @@ Proof.
 Qed.
 
 (* Beginning at the next vertex. *)
-Lemma vertex_rotated chain i : i < length chain ->
-  vertex (rotated chain) i = vertex chain (next i (length chain)).
+Lemma vertex_rotated chain i : i < length chain -> vertex (rotated chain) i = vertex chain (next i (length chain)).
 Proof. intros I. unfold vertex. now apply nth_rotated. Qed.
 
-Lemma edge_rotated chain i : i < length chain ->
-  edge_at (rotated chain) i = edge_at chain (next i (length chain)).
+Lemma edge_rotated chain i : i < length chain -> edge_at (rotated chain) i = edge_at chain (next i (length chain)).
 Proof.
   intros I. pose proof (next_in_range i (length chain) I) as J.
   rewrite !edge_is, rotated_length by (try rewrite rotated_length; assumption).
@@ -93,9 +91,7 @@ Proof.
 Qed.
 
 Lemma next_injective n i j : i < n -> j < n -> next i n = next j n -> i = j.
-Proof.
-  intros I J same_next. rewrite <- (previous_next i n I), same_next. now apply previous_next.
-Qed.
+Proof. intros I J same_next. rewrite <- (previous_next i n I), same_next. now apply previous_next. Qed.
 
 Lemma simple_rotated chain : simple chain -> simple (rotated chain).
 Proof.
@@ -189,8 +185,7 @@ Fixpoint smallest_of (chain : list vector) : nat :=
 Definition is_counterclockwise (chain : list vector) : bool :=
   negb (is_reflex (corner_of_chain chain (smallest_of chain))).
 
-Lemma is_smaller_spec (a b : vector) :
-  reflect (vx a < vx b \/ (vx a == vx b /\ vy a < vy b))%Q (is_smaller a b).
+Lemma is_smaller_spec (a b : vector) : reflect (vx a < vx b \/ (vx a == vx b /\ vy a < vy b))%Q (is_smaller a b).
 Proof.
   unfold is_smaller.
   destruct (negative_spec (vx a - vx b)), (zero_spec (vx a - vx b)), (negative_spec (vy a - vy b));

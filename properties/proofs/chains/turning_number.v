@@ -30,9 +30,8 @@ Definition turns_everywhere (chain : list vector) : Prop :=
 Definition turns_past (d : direction) (chain : list vector) : Z :=
   sum (map (fun c => sweep d (incoming c) (outgoing c)) (corners chain)).
 
-(* The turning number: how often the tangent passes the direction of the positive x-axis. It is 1 for
-   simple polygons that are counterclockwise, -1 for their holes, which are clockwise; that is proved
-   in simple_chains_turn_once.v. *)
+(* The turning number: how often the tangent passes the direction of the positive x-axis. It is 1 for simple polygons
+   that are counterclockwise, -1 for their holes, which are clockwise; that is proved in simple_chains_turn_once.v. *)
 Definition turning_number (chain : list vector) : Z := turns_past (Direction right OfQ) chain.
 
 Definition count {A} (f : A -> bool) (l : list A) : nat := length (filter f l).
@@ -73,9 +72,7 @@ Qed.
 
 Lemma turns_past_total : forall d chain,
   turns_past d chain = total (fun p => sweep d (fst p) (snd p)) (turns_of chain).
-Proof.
-  intros d chain. unfold turns_past, total, corners, turns_of. rewrite map_map. reflexivity.
-Qed.
+Proof. intros d chain. unfold turns_past, total, corners, turns_of. rewrite map_map. reflexivity. Qed.
 
 Lemma turns_of_chain : forall chain, turns_everywhere chain -> forall u v, In (u, v) (turns_of chain) -> turns u v.
 Proof.
@@ -141,6 +138,4 @@ Qed.
 Theorem tangent_sets_cover_once_and_at_reflex_vertices : forall chain d,
   turns_everywhere chain -> turning_number chain = 1%Z -> proper d ->
   count (in_tangent_set d) (corners chain) = (1 + reflex_vertices chain)%nat.
-Proof.
-  intros chain d T N D. pose proof (tangent_sets_cover chain d T D). lia.
-Qed.
+Proof. intros chain d T N D. pose proof (tangent_sets_cover chain d T D). lia. Qed.

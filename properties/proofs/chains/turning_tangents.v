@@ -21,8 +21,7 @@ Proof.
     [| destruct s]; rewrite x_is, y_is in o; lra.
 Qed.
 
-Lemma opposite_cross (d u : vector) :
-  cross d (opposite u) == - cross d u /\ dot d (opposite u) == - dot d u.
+Lemma opposite_cross (d u : vector) : cross d (opposite u) == - cross d u /\ dot d (opposite u) == - dot d u.
 Proof. unfold cross, dot, opposite. cbn [vx vy]. split; ring. Qed.
 
 (* Where a ray along d is crossed says on which of its sides a turn begins and ends. *)
@@ -98,16 +97,13 @@ Qed.
 
 Lemma half_turn_of_equal (s : summand) (d u v : vector) :
   equal_vectors u v -> in_half_turn s d u -> in_half_turn s d v.
-Proof.
-  intros [x_is y_is]. unfold in_half_turn, cross, dot. destruct s; rewrite x_is, y_is; trivial.
-Qed.
+Proof. intros [x_is y_is]. unfold in_half_turn, cross, dot. destruct s; rewrite x_is, y_is; trivial. Qed.
 
 Lemma opposite_of_minus (a b : vector) : equal_vectors (opposite (minus a b)) (minus b a).
 Proof. unfold equal_vectors, opposite, minus. cbn [vx vy]. split; ring. Qed.
 
 (* A chain as the path of its edges, from the last to the first and on to the last. *)
-Lemma steps_of_edges (a : vector) (rest : list vector) :
-  edge_directions (a :: rest) = steps (a :: rest ++ [a]).
+Lemma steps_of_edges (a : vector) (rest : list vector) : edge_directions (a :: rest) = steps (a :: rest ++ [a]).
 Proof.
   unfold edge_directions, edges. rewrite map_map. cbn [source target rotated].
   assert (path : forall z, map (fun ends => minus (snd ends) (fst ends)) (combine (a :: rest) (rest ++ [z])) =
@@ -116,8 +112,7 @@ Proof.
   exact (f_equal (cons (minus b a)) (IH b z)).
 Qed.
 
-Lemma steps_more (path : list vector) (a z : vector) :
-  steps (path ++ [a; z]) = steps (path ++ [a]) ++ [minus z a].
+Lemma steps_more (path : list vector) (a z : vector) : steps (path ++ [a; z]) = steps (path ++ [a]) ++ [minus z a].
 Proof.
   induction path as [| p path IH]; [reflexivity |]. destruct path as [| q path]; [reflexivity |].
   cbn [app steps] in *. now rewrite IH.

@@ -48,14 +48,11 @@ Proof.
   - intros [<- l]. etransitivity; [apply perm_swap |]. apply perm_skip. exact (IH _ _ l).
 Qed.
 
-Lemma count_occ_permuted l l' x :
-  Permutation l l' -> count_occ node_eq_dec l x = count_occ node_eq_dec l' x.
+Lemma count_occ_permuted l l' x : Permutation l l' -> count_occ node_eq_dec l x = count_occ node_eq_dec l' x.
 Proof. intros p. now apply (Permutation_count_occ node_eq_dec). Qed.
 
 Lemma cycle_entered_as_left cycle a : leads a cycle a -> entered_as_left cycle.
-Proof.
-  intros l x. apply ends_of_walk, Permutation_cons_inv in l. symmetry. now apply count_occ_permuted.
-Qed.
+Proof. intros l x. apply ends_of_walk, Permutation_cons_inv in l. symmetry. now apply count_occ_permuted. Qed.
 
 (* A walk that leaves no node twice goes on, among the edges that are left, until it closes a cycle. *)
 Lemma walk_closes edges : forall rest walk a e,
@@ -212,8 +209,7 @@ Proof.
 Qed.
 
 (* Euler's theorem: each connected part of the graph has a closed walk that takes each of its edges once. *)
-Theorem euler_circuits edges :
-  entered_as_left edges -> exists circuits, circuits_of circuits edges.
+Theorem euler_circuits edges : entered_as_left edges -> exists circuits, circuits_of circuits edges.
 Proof.
   intros balanced. destruct (falls_into_cycles edges balanced) as (cycles & good & all).
   enough (exists circuits, circuits_of circuits (concat cycles)) as (circuits & good' & apart & all').

@@ -53,8 +53,7 @@ Qed.
 Definition states_looked_at (n m : nat) (cycles : list (list named_segment)) : nat :=
   length (starts n m) + list_sum (map (fun cycle => length cycle - 1) cycles).
 
-Lemma length_concat (A : Type) (lists : list (list A)) :
-  length (concat lists) = list_sum (map (@length A) lists).
+Lemma length_concat (A : Type) (lists : list (list A)) : length (concat lists) = list_sum (map (@length A) lists).
 Proof. induction lists as [| l lists IH]; [reflexivity |]. cbn. now rewrite app_length, IH. Qed.
 
 (* The step count of Theorem 4.1.10: with K segments in the convolution, n + m - 1 + K states are

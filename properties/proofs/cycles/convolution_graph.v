@@ -63,9 +63,7 @@ Qed.
 Lemma states_entered_as_left (p q : list vector) :
   no_edge_is_a_point p -> no_edge_is_a_point q ->
   entered_as_left state_eq_dec state_before (state_after (length p) (length q)) (convolution p q).
-Proof.
-  intros ep eq. exact (proj1 (Permutation_count_occ _ _ _) (Permutation_sym (states_permute p q ep eq))).
-Qed.
+Proof. intros ep eq. exact (proj1 (Permutation_count_occ _ _ _) (Permutation_sym (states_permute p q ep eq))). Qed.
 
 (* Lemma 4.1.5. The segments of the convolution of two regions are those of cycles, each segment in exactly
    one cycle, once. In a cycle each segment starts at the point where the one before it ends, the first
@@ -76,9 +74,7 @@ Theorem edge_disjoint_cycles (p q : region) :
   exists cycles,
     Forall (simple_cycle starts_at_node ends_at_node) cycles /\
     Permutation (concat cycles) (segments_of_regions p q).
-Proof.
-  intros ep eq. apply (falls_into_cycles vector_eq_dec). now apply points_entered_as_left.
-Qed.
+Proof. intros ep eq. apply (falls_into_cycles vector_eq_dec). now apply points_entered_as_left. Qed.
 
 (* The same in the fiber grid, where only equal states are one node. *)
 Theorem edge_disjoint_cycles_of_states (p q : list vector) :
@@ -86,9 +82,7 @@ Theorem edge_disjoint_cycles_of_states (p q : list vector) :
   exists cycles,
     Forall (simple_cycle state_before (state_after (length p) (length q))) cycles /\
     Permutation (concat cycles) (convolution p q).
-Proof.
-  intros ep eq. apply (falls_into_cycles state_eq_dec). now apply states_entered_as_left.
-Qed.
+Proof. intros ep eq. apply (falls_into_cycles state_eq_dec). now apply states_entered_as_left. Qed.
 
 (* The segments of the convolution of two regions are also those of closed walks of which no two have a point
    in common, each segment in exactly one walk, once. As a closed walk is connected, and nothing joins two
@@ -97,15 +91,11 @@ Theorem euler_circuits_of_the_convolution (p q : region) :
   (forall chain, In chain p -> no_edge_is_a_point chain) ->
   (forall chain, In chain q -> no_edge_is_a_point chain) ->
   exists circuits, circuits_of starts_at_node ends_at_node circuits (segments_of_regions p q).
-Proof.
-  intros ep eq. apply (euler_circuits vector_eq_dec). now apply points_entered_as_left.
-Qed.
+Proof. intros ep eq. apply (euler_circuits vector_eq_dec). now apply points_entered_as_left. Qed.
 
 (* The same in the fiber grid. *)
 Theorem euler_circuits_of_states (p q : list vector) :
   no_edge_is_a_point p -> no_edge_is_a_point q ->
   exists circuits,
     circuits_of state_before (state_after (length p) (length q)) circuits (convolution p q).
-Proof.
-  intros ep eq. apply (euler_circuits state_eq_dec). now apply states_entered_as_left.
-Qed.
+Proof. intros ep eq. apply (euler_circuits state_eq_dec). now apply states_entered_as_left. Qed.

@@ -15,10 +15,9 @@ Proof. intros (N & _) ->. cbn in N. lia. Qed.
 Lemma simple_chain_has_edges chain : simple chain -> no_edge_is_a_point chain.
 Proof. now intros (_ & e & _). Qed.
 
-(* Theorem. The cycles of two simple chains of n and m vertices are traced to their ends and are the convolution.
-   Each takes a n edges of P and b m edges of Q, for whole numbers a and b that are not both zero, and
-   nothing else; one cycle goes round both chains, so it has n + m segments or more, and so has the
-   convolution. *)
+(* Theorem. The cycles of two simple chains of n and m vertices are traced to their ends and are the convolution. Each
+   takes a n edges of P and b m edges of Q, for whole numbers a and b that are not both zero, and nothing else; one
+   cycle goes round both chains, so it has n + m segments or more, and so has the convolution. *)
 Theorem cycles_of_simple_chains (p q : list vector) :
   simple p -> simple q ->
   exists cycles,

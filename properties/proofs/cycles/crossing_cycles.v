@@ -29,9 +29,7 @@ Qed.
 
 Lemma in_the_convolution : forall p q s, In s (convolution p q) ->
   in_grid (length p) (length q) (state_before s) /\ in_convolution p q s = true.
-Proof.
-  intros p q s I. exact (proj1 (in_those (length p) (length q) (in_convolution p q) s) I).
-Qed.
+Proof. intros p q s I. exact (proj1 (in_those (length p) (length q) (in_convolution p q) s) I). Qed.
 
 Lemma traced_in_grid : forall p q cycles cycle s,
   no_edge_is_a_point p -> no_edge_is_a_point q -> p <> [] -> q <> [] ->

@@ -3,8 +3,7 @@
 From Coq Require Import Bool List Permutation Lia.
 Import ListNotations.
 
-Lemma NoDup_of_two A (l m : list A) :
-  NoDup l -> NoDup m -> (forall a, In a l -> ~ In a m) -> NoDup (l ++ m).
+Lemma NoDup_of_two A (l m : list A) : NoDup l -> NoDup m -> (forall a, In a l -> ~ In a m) -> NoDup (l ++ m).
 Proof.
   intros L M apart. induction L as [| a l N L IH]; [exact M |].
   cbn. constructor.
@@ -13,9 +12,7 @@ Proof.
 Qed.
 
 Lemma NoDup_second A (l m : list A) : NoDup (l ++ m) -> NoDup m.
-Proof.
-  induction l as [| a l IH]; intros L; [exact L |]. apply IH. now inversion L.
-Qed.
+Proof. induction l as [| a l IH]; intros L; [exact L |]. apply IH. now inversion L. Qed.
 
 Lemma NoDup_images A B (f : A -> B) (l : list A) :
   NoDup l -> (forall a b, In a l -> In b l -> f a = f b -> a = b) -> NoDup (map f l).

@@ -44,8 +44,7 @@ Proof. intros L. unfold next. destruct (Nat.eqb_spec (S i) k); lia. Qed.
 Lemma next_last k : 0 < k -> next (k - 1) k = 0.
 Proof. intros L. unfold next. destruct (Nat.eqb_spec (S (k - 1)) k); lia. Qed.
 
-Lemma arrival_of_p : forall n m steps i j, i < n ->
-  fst (arrived n m (i, j) steps) = (i + steps_of_p steps) mod n.
+Lemma arrival_of_p : forall n m steps i j, i < n -> fst (arrived n m (i, j) steps) = (i + steps_of_p steps) mod n.
 Proof.
   intros n m steps. induction steps as [| [|] rest IH]; intros i j L; cbn.
   - rewrite Nat.add_0_r, Nat.mod_small; trivial.
@@ -53,8 +52,7 @@ Proof.
   - now rewrite IH.
 Qed.
 
-Lemma arrival_of_q : forall n m steps i j, j < m ->
-  snd (arrived n m (i, j) steps) = (j + steps_of_q steps) mod m.
+Lemma arrival_of_q : forall n m steps i j, j < m -> snd (arrived n m (i, j) steps) = (j + steps_of_q steps) mod m.
 Proof.
   intros n m steps. induction steps as [| [|] rest IH]; intros i j L; cbn.
   - rewrite Nat.add_0_r, Nat.mod_small; trivial.
@@ -90,8 +88,7 @@ Proof.
   pose proof (Nat.div_mod (i + a) n) as D. nia.
 Qed.
 
-Lemma every_index : forall i n a, i < n -> n <= a ->
-  forall k, k < n -> exists t, t < a /\ (i + t) mod n = k.
+Lemma every_index : forall i n a, i < n -> n <= a -> forall k, k < n -> exists t, t < a /\ (i + t) mod n = k.
 Proof.
   intros i n a L A k K. destruct (le_lt_dec i k).
   - exists (k - i). split; [lia |]. rewrite Nat.mod_small; lia.
@@ -139,10 +136,9 @@ Qed.
 (* An edge of the grid, named by the state that it leaves. *)
 Definition grid_edge := (summand * state)%type.
 
-(* Theorem. Take any edges of the grid of which each leads to a state that one of them leaves, as
-   those do that are left over when cycles are taken away. If there are any, one of them leaves a
-   state of the first row or the first column. So starting there, until nothing is left, misses
-   none. *)
+(* Theorem. Take any edges of the grid of which each leads to a state that one of them leaves, as those do that are
+   left over when cycles are taken away. If there are any, one of them leaves a state of the first row or the first
+   column. So starting there, until nothing is left, misses none. *)
 Theorem what_is_left_meets_the_first_row_or_column : forall n m (edges : list grid_edge),
   (forall along s, In (along, s) edges -> fst s < n /\ snd s < m) ->
   (forall along s, In (along, s) edges -> exists on, In (on, step n m along s) edges) ->

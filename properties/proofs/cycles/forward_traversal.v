@@ -47,8 +47,7 @@ Proof.
     reflexivity.
 Qed.
 
-Lemma compare_equal (a b : direction) :
-  proper a -> proper b -> equal a b \/ compare a b <> Eq.
+Lemma compare_equal (a b : direction) : proper a -> proper b -> equal a b \/ compare a b <> Eq.
 Proof. intros m n. compared a b; [now left | right | right]; discriminate. Qed.
 
 (* As many of the two edges of P's vertex are between those of Q's, and of Q's between P's, on the way

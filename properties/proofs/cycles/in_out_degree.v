@@ -25,9 +25,7 @@ Qed.
 Lemma count_all_segments n m (f : named_segment -> bool) :
   count f (all_segments n m) =
   count (fun at_ => f (OfP, at_)) (states n m) + count (fun at_ => f (OfQ, at_)) (states n m).
-Proof.
-  unfold all_segments. cbn [list_prod]. rewrite app_nil_r, count_of_two, !count_of_images. reflexivity.
-Qed.
+Proof. unfold all_segments. cbn [list_prod]. rewrite app_nil_r, count_of_two, !count_of_images. reflexivity. Qed.
 
 Lemma count_sums A (f g h k : A -> bool) l :
   (forall a, In a l -> Nat.b2n (f a) + Nat.b2n (g a) = Nat.b2n (h a) + Nat.b2n (k a)) ->
@@ -61,8 +59,7 @@ Proof.
   destruct (node at_); rewrite ?andb_true_r, ?andb_false_r; [exact b | reflexivity].
 Qed.
 
-(* Lemma 4.1.4 at states: as many segments of the convolution of two closed chains lead to any state as
-   leave it. *)
+(* Lemma 4.1.4 at states: as many segments of the convolution of two closed chains lead to any state as leave it. *)
 Theorem in_out_degree_at_states (p q : list vector) (i j : nat) :
   no_edge_is_a_point p -> no_edge_is_a_point q ->
   let is_here (at_ : state) := (fst at_ =? i) && (snd at_ =? j) in

@@ -31,9 +31,7 @@ Fixpoint reached (steps : nat) (s : segment_of_regions) : list segment_of_region
   end.
 
 (* A closed walk goes on after each of its segments. *)
-Lemma walk_goes_on c a s :
-  leads starts_at_node ends_at_node a c a -> In s c ->
-  exists t, In t c /\ joins s t = true.
+Lemma walk_goes_on c a s : leads starts_at_node ends_at_node a c a -> In s c -> exists t, In t c /\ joins s t = true.
 Proof.
   intros walk I. apply in_split in I. destruct I as (first & last & c_is).
   pose proof walk as l. rewrite c_is in l.

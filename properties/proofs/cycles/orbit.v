@@ -40,8 +40,7 @@ Proof. unfold first_of_orbit. rewrite map_length. apply seq_length. Qed.
 Lemma iterated_in k a : self_injection -> In a l -> In (iterated k a) l.
 Proof. intros (_ & stays & _) I. induction k as [| k IH]; [exact I |]. cbn. apply stays, IH. Qed.
 
-Lemma iterated_cancel i k a :
-  self_injection -> In a l -> iterated (i + k) a = iterated i a -> iterated k a = a.
+Lemma iterated_cancel i k a : self_injection -> In a l -> iterated (i + k) a = iterated i a -> iterated k a = a.
 Proof.
   intros s I. induction i as [| i IH]; intros e; [exact e |]. cbn in e. apply IH.
   pose proof s as (_ & _ & injective). apply injective; trivial; now apply iterated_in.
@@ -75,8 +74,7 @@ Proof.
 Qed.
 
 (* Back at a after no more steps than there are elements. *)
-Theorem orbit_returns a :
-  self_injection -> In a l -> exists k, 0 < k <= length l /\ iterated k a = a.
+Theorem orbit_returns a : self_injection -> In a l -> exists k, 0 < k <= length l /\ iterated k a = a.
 Proof.
   intros s I.
   destruct (first_within (fun k => iterated (S k) a = a) (fun k => decide _ _) (length l))

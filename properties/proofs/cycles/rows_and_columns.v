@@ -27,8 +27,7 @@ Proof.
   - cbv zeta in IH. lra.
 Qed.
 
-Lemma reflex_vertices_are_right_turns chain :
-  reflex_vertices chain = count turns_right (turns_of chain).
+Lemma reflex_vertices_are_right_turns chain : reflex_vertices chain = count turns_right (turns_of chain).
 Proof. unfold reflex_vertices, corners. now rewrite count_of_images. Qed.
 
 Lemma three_reflex_vertices chain :
@@ -45,8 +44,7 @@ Proof.
     change 2 with (inject_Z 2) in more. rewrite <- Zlt_Qlt in more. lia.
 Qed.
 
-(* The chain of an outer boundary is counterclockwise and turns once, that of a hole once clockwise.
-   *)
+(* The chain of an outer boundary is counterclockwise and turns once, that of a hole once clockwise. *)
 Definition outer (chain : list vector) : Prop := turning_number chain = 1%Z.
 Definition hole (chain : list vector) : Prop := turning_number chain = (-1)%Z.
 

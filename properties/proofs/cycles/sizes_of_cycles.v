@@ -26,8 +26,7 @@ Proof.
   split; apply (Qmult_inj_l _ _ (cross u v)); try lra; unfold cross in *; by_equations.
 Qed.
 
-(* So is the tangent set of a vertex that is not reflex, and so is the complement of that of a
-   reflex one. *)
+(* So is the tangent set of a vertex that is not reflex, and so is the complement of that of a reflex one. *)
 Lemma tangents_on_one_side : forall d c,
   proper d -> turns (incoming c) (outgoing c) -> is_reflex c = false -> in_tangent_set d c = true ->
   0 < cross (minus (incoming c) (outgoing c)) (vec d).
@@ -57,8 +56,7 @@ Open Scope nat_scope.
 
 (* The edge that leaves the vertex that is furthest in a direction does not go there: so not all edges are on one open
    side of a line. *)
-Lemma edges_on_no_side : forall p w, p <> [] ->
-  exists i, i < length p /\ ~ (0 < cross w (edge_of_chain p i))%Q.
+Lemma edges_on_no_side : forall p w, p <> [] -> exists i, i < length p /\ ~ (0 < cross w (edge_of_chain p i))%Q.
 Proof.
   intros p w N. destruct (least_of (fun v => - cross w v)%Q p N) as (v & I & least).
   apply (In_nth p v nowhere) in I. destruct I as (i & I & <-). exists i. split; [exact I |].
@@ -68,9 +66,7 @@ Qed.
 
 Lemma corners_turn : forall q j, turns_everywhere q -> j < length q ->
   turns (incoming (corner_of_chain q j)) (outgoing (corner_of_chain q j)).
-Proof.
-  intros q j T L. apply T. apply nth_In. now rewrite corners_length.
-Qed.
+Proof. intros q j T L. apply T. apply nth_In. now rewrite corners_length. Qed.
 
 (* A walk along P alone stays in its row. *)
 Lemma walks_along_p_stay : forall n m walked a b, is_walk n m a walked b ->

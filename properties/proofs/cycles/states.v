@@ -44,9 +44,7 @@ Definition states (n m : nat) : list state := list_prod (seq 0 n) (seq 0 m).
 Definition all_segments (n m : nat) : list named_segment := list_prod [OfP; OfQ] (states n m).
 
 Lemma in_states n m at_ : In at_ (states n m) <-> in_grid n m at_.
-Proof.
-  destruct at_ as [i j]. etransitivity; [apply in_prod_iff |]. unfold in_grid. rewrite !in_seq. cbn. lia.
-Qed.
+Proof. destruct at_ as [i j]. etransitivity; [apply in_prod_iff |]. unfold in_grid. rewrite !in_seq. cbn. lia. Qed.
 
 Lemma in_all_segments n m s : In s (all_segments n m) <-> in_grid n m (state_before s).
 Proof.
@@ -64,21 +62,13 @@ Proof.
 Qed.
 
 Lemma after_in_grid n m s : in_grid n m (state_before s) -> in_grid n m (state_after n m s).
-Proof.
-  destruct s as [[|] [i j]]; unfold in_grid; cbn; intros [? ?]; split; trivial; now apply next_in_range.
-Qed.
+Proof. destruct s as [[|] [i j]]; unfold in_grid; cbn; intros [? ?]; split; trivial; now apply next_in_range. Qed.
 
-Lemma after_segment_to n m along at_ :
-  in_grid n m at_ -> state_after n m (segment_to n m along at_) = at_.
-Proof.
-  destruct along, at_ as [i j]; unfold in_grid; cbn; intros [? ?]; now rewrite next_previous.
-Qed.
+Lemma after_segment_to n m along at_ : in_grid n m at_ -> state_after n m (segment_to n m along at_) = at_.
+Proof. destruct along, at_ as [i j]; unfold in_grid; cbn; intros [? ?]; now rewrite next_previous. Qed.
 
-Lemma segment_to_after n m s :
-  in_grid n m (state_before s) -> segment_to n m (fst s) (state_after n m s) = s.
-Proof.
-  destruct s as [[|] [i j]]; unfold in_grid; cbn; intros [? ?]; now rewrite previous_next.
-Qed.
+Lemma segment_to_after n m s : in_grid n m (state_before s) -> segment_to n m (fst s) (state_after n m s) = s.
+Proof. destruct s as [[|] [i j]]; unfold in_grid; cbn; intros [? ?]; now rewrite previous_next. Qed.
 
 Lemma state_after_injective n m along a b :
   in_grid n m a -> in_grid n m b ->
@@ -121,8 +111,7 @@ Proof.
   rewrite edges_length in below. exact (edges_are_directions chain i OfP turning below).
 Qed.
 
-Lemma edge_nonzero chain i :
-  no_edge_is_a_point chain -> i < length chain -> nonzero (edge_of_chain chain i).
+Lemma edge_nonzero chain i : no_edge_is_a_point chain -> i < length chain -> nonzero (edge_of_chain chain i).
 Proof. intros e I. apply e. apply nth_In. now rewrite edges_length. Qed.
 
 Lemma from_the_last_length A (l : list A) : length (from_the_last l) = length l.
@@ -153,8 +142,7 @@ Proof.
   unfold corner_of. cbn [fst snd]. now rewrite nth_from_the_last.
 Qed.
 
-Lemma corner_proper chain i :
-  no_edge_is_a_point chain -> i < length chain -> proper_corner (corner_of_chain chain i).
+Lemma corner_proper chain i : no_edge_is_a_point chain -> i < length chain -> proper_corner (corner_of_chain chain i).
 Proof.
   intros e I. rewrite corner_is by assumption. split; cbn; apply edge_nonzero; trivial.
   now apply previous_below.

@@ -107,9 +107,7 @@ Proof.
 Qed.
 
 Lemma segment_after_self_injection : self_injection follow all.
-Proof.
-  split; [apply those_NoDup |]. split; [apply segment_after_in | apply segment_after_injective].
-Qed.
+Proof. split; [apply those_NoDup |]. split; [apply segment_after_in | apply segment_after_injective]. Qed.
 
 Lemma trace_is_first_of_orbit start k : forall steps s,
   k < steps -> state_after n m (iterated follow k s) = start ->

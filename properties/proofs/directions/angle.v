@@ -93,9 +93,7 @@ Proof.
 Qed.
 
 Lemma angle_range (v : vector) : nonzero v -> 0 <= angle v < 4.
-Proof.
-  intros n. destruct (angle_cases v n) as (s & x & y & _ & c & _). unfold on_diamond in c. lra.
-Qed.
+Proof. intros n. destruct (angle_cases v n) as (s & x & y & _ & c & _). unfold on_diamond in c. lra. Qed.
 
 Lemma half_angle (v : vector) : nonzero v -> reflect (2 <= angle v) (half v).
 Proof.
@@ -141,8 +139,7 @@ Proof.
   pose proof (sign c). pose proof (sign d). tauto.
 Qed.
 
-Lemma cross_angle (u v : vector) :
-  nonzero u -> nonzero v -> turns_by (angle v - angle u) (cross u v) (dot u v).
+Lemma cross_angle (u v : vector) : nonzero u -> nonzero v -> turns_by (angle v - angle u) (cross u v) (dot u v).
 Proof.
   intros m n.
   destruct (angle_cases u m) as (s & x & y & positive & c & x_is & y_is),
@@ -152,8 +149,7 @@ Proof.
 Qed.
 
 (* compare_angle compares angles. *)
-Lemma compare_angle_is (u v : vector) :
-  nonzero u -> nonzero v -> compare_angle u v = (angle u ?= angle v).
+Lemma compare_angle_is (u v : vector) : nonzero u -> nonzero v -> compare_angle u v = (angle u ?= angle v).
 Proof.
   intros m n. pose proof (cross_angle u v m n) as turns. unfold turns_by, cross in turns.
   pose proof (angle_range u m). pose proof (angle_range v n). unfold compare_angle.
@@ -165,8 +161,7 @@ Qed.
 Definition same_direction (u v : vector) : Prop :=
   exists a : Q, 0 < a /\ vx u == a * vx v /\ vy u == a * vy v.
 
-Lemma same_direction_angle (u v : vector) :
-  nonzero u -> nonzero v -> same_direction u v <-> angle u == angle v.
+Lemma same_direction_angle (u v : vector) : nonzero u -> nonzero v -> same_direction u v <-> angle u == angle v.
 Proof.
   intros m n. split.
   - intros (a & positive & x_is & y_is).

@@ -35,8 +35,7 @@ Ltac compared a b :=
     by (now apply compare_spec);
   apply CompareSpec2Type in c; destruct c.
 
-Lemma before_spec (a b : direction) :
-  proper a -> proper b -> reflect (earlier a b) (before a b).
+Lemma before_spec (a b : direction) : proper a -> proper b -> reflect (earlier a b) (before a b).
 Proof. intros m n. unfold before. compared a b; constructor; order. Qed.
 
 Lemma same_spec (a b : direction) : proper a -> proper b -> reflect (equal a b) (same a b).

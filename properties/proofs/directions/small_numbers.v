@@ -33,8 +33,7 @@ Proof.
   pose proof (Q.le_min_l 1 bound). pose proof (Q.le_min_r 1 bound). apply near; nra.
 Qed.
 
-Lemma eventually_implied (A B : Q -> Prop) :
-  (forall epsilon, A epsilon -> B epsilon) -> eventually A -> eventually B.
+Lemma eventually_implied (A B : Q -> Prop) : (forall epsilon, A epsilon -> B epsilon) -> eventually A -> eventually B.
 Proof. intros i (a & p & h). exists a. auto. Qed.
 
 Lemma eventually_for_all {A : Type} (holds : A -> Q -> Prop) (l : list A) :

@@ -23,9 +23,8 @@ Proof.
   destruct (is_counterclockwise chain); cbn [negb length]; lia.
 Qed.
 
-(* Theorem. The convolution of two regions of simple chains, with n_P and n_Q vertices, r_P and r_Q reflex ones,
-   o_P and o_Q outer chains and h_P and h_Q holes has n_P (o_Q - h_Q + r_Q) + n_Q (o_P - h_P + r_P)
-   segments. *)
+(* Theorem. The convolution of two regions of simple chains, with n_P and n_Q vertices, r_P and r_Q reflex ones, o_P
+   and o_Q outer chains and h_P and h_Q holes has n_P (o_Q - h_Q + r_Q) + n_Q (o_P - h_P + r_P) segments. *)
 Theorem convolution_size_of_simple_regions (p q : region) :
   (forall chain, In chain p -> simple chain) -> (forall chain, In chain q -> simple chain) ->
   Z.of_nat (length (segments_of_regions p q)) =

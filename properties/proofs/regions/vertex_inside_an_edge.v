@@ -72,8 +72,7 @@ Proof.
 Qed.
 
 (* What is apart from the edge is apart from its parts. *)
-Lemma parts_are_apart (c e : vector) :
-  (apart z a c e -> apart y a c e) /\ (apart c e z a -> apart c e z y).
+Lemma parts_are_apart (c e : vector) : (apart z a c e -> apart y a c e) /\ (apart c e z a -> apart c e z y).
 Proof.
   destruct y_between as [x_is y_is]. cbn [vx vy] in *.
   split; intros (w & f1 & f2 & f3 & f4); exists w; unfold in_front, dot, minus in *; cbn [vx vy] in *;

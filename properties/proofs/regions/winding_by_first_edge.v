@@ -99,8 +99,7 @@ Proof.
   - destruct I as [<- | I]; [left; now left |]. destruct (IH b I) as [inside | last]; [left; now right | now right].
 Qed.
 
-Lemma closing_edge_listed (a z : vector) (middle : list vector) :
-  In (Segment z a) (edges (a :: middle ++ [z])).
+Lemma closing_edge_listed (a z : vector) (middle : list vector) : In (Segment z a) (edges (a :: middle ++ [z])).
 Proof.
   assert (each : forall first, In (Segment z a)
     (map (fun ends => Segment (fst ends) (snd ends)) (combine (first :: middle ++ [z]) ((middle ++ [z]) ++ [a])))).
@@ -156,8 +155,7 @@ Proof.
     rewrite x_is, y_is; ring.
 Qed.
 
-Lemma crosses_at_y : cross u (minus a y) == (1 - part) * cross u e /\
-                     cross u (minus z y) == - part * cross u e.
+Lemma crosses_at_y : cross u (minus a y) == (1 - part) * cross u e /\ cross u (minus z y) == - part * cross u e.
 Proof.
   destruct ahead_of_y as [xa ya], behind_y as [xz yz]. cbn [vx vy] in *.
   unfold cross at 1 3. rewrite xa, ya, xz, yz. unfold cross. split; ring.

@@ -94,8 +94,7 @@ Proof.
     rewrite nth_rotated, long by now rewrite long. now apply edge_rotated.
 Qed.
 
-Lemma winding_number_rotated x chain :
-  winding_number x (edges (rotated chain)) = winding_number x (edges chain).
+Lemma winding_number_rotated x chain : winding_number x (edges (rotated chain)) = winding_number x (edges chain).
 Proof.
   rewrite edges_rotated. destruct (edges chain) as [| e rest]; [reflexivity |]. cbn [rotated].
   rewrite winding_number_is_additive. change (e :: rest) with ([e] ++ rest).

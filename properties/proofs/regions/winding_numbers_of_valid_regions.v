@@ -79,8 +79,7 @@ Lemma off_one_of {A : Type} (f : A -> list segment) (l : list A) (a : A) (x : ve
   off x (flat_map f l) -> In a l -> off x (f a).
 Proof. intros x_off I s S. apply x_off, in_flat_map. now exists a. Qed.
 
-(* Of parts that are beside each other and each go around a point k times or not at all, at most one goes around
-   it. *)
+(* Of parts that are beside each other and each go around a point k times or not at all, at most one goes around it. *)
 Lemma at_most_one_part {A : Type} (f : A -> list segment) (k : Z) (parts : list A) (x : vector) :
   (forall a, In a parts -> cycles (f a)) -> off x (flat_map f parts) ->
   ForallOrdPairs (fun a b => beside_each_other (f a) (f b)) parts ->

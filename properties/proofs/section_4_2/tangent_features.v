@@ -66,6 +66,4 @@ Qed.
 Theorem tangent_features_do_not_depend_on_the_direction (p q : region) (d e x : vector) :
   turns_in_all_chains p -> turns_in_all_chains q -> nonzero d -> nonzero e ->
   tangent_features d x p q = tangent_features e x p q.
-Proof.
-  intros p_turns q_turns proper_d proper_e. now rewrite <- !winding_number_less_reflex_vertices.
-Qed.
+Proof. intros p_turns q_turns proper_d proper_e. now rewrite <- !winding_number_less_reflex_vertices. Qed.

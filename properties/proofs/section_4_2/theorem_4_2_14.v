@@ -302,9 +302,7 @@ Definition numbers_are_0_or_1 (r : region) : Prop :=
 
 Lemma numbers_are_0_or_1_everywhere (r : region) (x : vector) :
   numbers_are_0_or_1 r -> (0 <= winding_number x (region_edges r) <= 1)%Z.
-Proof.
-  intros valid. destruct (winding_number_beside x (region_edges r)) as (y & beside & <-). now apply valid.
-Qed.
+Proof. intros valid. destruct (winding_number_beside x (region_edges r)) as (y & beside & <-). now apply valid. Qed.
 
 (* Theorem. So if winding numbers of P and of Q are 0 and 1, and r consists of outer chains and holes, it is the number
    of outer chains less that of holes. *)

@@ -21,9 +21,8 @@ Proof.
   apply permuted_vectors. now apply region_points_permute.
 Qed.
 
-(* Theorem. The winding number of a point off the convolution of two regions, as the code counts it on a
-   ray to the right, is what every other ray counts, and is how many full turns the convolution makes
-   around the point. *)
+(* Theorem. The winding number of a point off the convolution of two regions, as the code counts it on a ray to the
+   right, is what every other ray counts, and is how many full turns the convolution makes around the point. *)
 Theorem convolution_winding_number_by_any_ray : forall (p q : region) x k d,
   (forall chain, In chain p -> no_edge_is_a_point chain) ->
   (forall chain, In chain q -> no_edge_is_a_point chain) ->

@@ -35,9 +35,7 @@ Proof. unfold sum_of. now rewrite map_map. Qed.
 
 Lemma sum_of_flat_map A B (f : B -> Z) (g : A -> list B) l :
   sum_of f (flat_map g l) = sum_of (fun a => sum_of f (g a)) l.
-Proof.
-  induction l as [| a l IH]; [reflexivity |]. cbn [flat_map]. now rewrite sum_of_two_lists, sum_of_more, IH.
-Qed.
+Proof. induction l as [| a l IH]; [reflexivity |]. cbn [flat_map]. now rewrite sum_of_two_lists, sum_of_more, IH. Qed.
 
 Lemma sum_of_product A B (f : A * B -> Z) l m :
   sum_of f (list_prod l m) = sum_of (fun a => sum_of (fun b => f (a, b)) m) l.
@@ -80,8 +78,7 @@ Qed.
 (* Over the indices below n, which are cyclic. *)
 Definition sum_below (n : nat) (f : nat -> Z) : Z := sum_of f (seq 0 n).
 
-Lemma sum_below_equally n (f g : nat -> Z) :
-  (forall i, (i < n)%nat -> f i = g i) -> sum_below n f = sum_below n g.
+Lemma sum_below_equally n (f g : nat -> Z) : (forall i, (i < n)%nat -> f i = g i) -> sum_below n f = sum_below n g.
 Proof. intros equal. apply sum_equally. intros i I. apply in_seq in I. apply equal. lia. Qed.
 
 Lemma sum_by_index A (f : A -> Z) (default : A) l n : length l = n ->
@@ -120,18 +117,13 @@ Proof. intros equal. apply sum_below_equally. intros i I. apply sum_below_equall
 
 Lemma grid_plus n m (f g : nat -> nat -> Z) :
   sum_over_grid n m (fun i j => f i j + g i j) = sum_over_grid n m f + sum_over_grid n m g.
-Proof.
-  unfold sum_over_grid, sum_below. rewrite <- sum_plus. apply sum_equally. intros i _. apply sum_plus.
-Qed.
+Proof. unfold sum_over_grid, sum_below. rewrite <- sum_plus. apply sum_equally. intros i _. apply sum_plus. Qed.
 
 Lemma grid_minus n m (f g : nat -> nat -> Z) :
   sum_over_grid n m (fun i j => f i j - g i j) = sum_over_grid n m f - sum_over_grid n m g.
-Proof.
-  unfold sum_over_grid, sum_below. rewrite <- sum_minus. apply sum_equally. intros i _. apply sum_minus.
-Qed.
+Proof. unfold sum_over_grid, sum_below. rewrite <- sum_minus. apply sum_equally. intros i _. apply sum_minus. Qed.
 
-Lemma grid_exchanged n m (f : nat -> nat -> Z) :
-  sum_over_grid n m f = sum_over_grid m n (fun j i => f i j).
+Lemma grid_exchanged n m (f : nat -> nat -> Z) : sum_over_grid n m f = sum_over_grid m n (fun j i => f i j).
 Proof. apply sums_exchanged. Qed.
 
 Lemma grid_rows n m (c : nat -> Z) (f : nat -> nat -> Z) :

@@ -8,8 +8,7 @@ Import ListNotations.
 Open Scope Q_scope.
 
 (* Of finitely many numbers one is the least. *)
-Lemma least_of {A : Type} (f : A -> Q) (l : list A) : l <> [] ->
-  exists b, In b l /\ forall c, In c l -> f b <= f c.
+Lemma least_of {A : Type} (f : A -> Q) (l : list A) : l <> [] -> exists b, In b l /\ forall c, In c l -> f b <= f c.
 Proof.
   induction l as [| b l IH]; intros some; [contradiction |].
   destruct l as [| c l]; [exists b; split; [now left | intros e [<- | []]; lra] |].
@@ -35,8 +34,7 @@ Proof.
     try discriminate; intros _; lra.
 Qed.
 
-Lemma point_at_height_lies_on (s : segment) (y : Q) :
-  spans s y = true -> lies_on (point_at_height s y) s.
+Lemma point_at_height_lies_on (s : segment) (y : Q) : spans s y = true -> lies_on (point_at_height s y) s.
 Proof.
   intros spanning. apply heights_of_spanning in spanning.
   exists ((y - vy (source s)) / (vy (target s) - vy (source s))). split; [| split].
@@ -144,6 +142,5 @@ Proof.
   now apply (part_of_segment w v s).
 Qed.
 
-Lemma no_common_point_swapped some others :
-  have_no_common_point some others -> have_no_common_point others some.
+Lemma no_common_point_swapped some others : have_no_common_point some others -> have_no_common_point others some.
 Proof. intros none s o z S O on_s on_o. exact (none o s z O S on_o on_s). Qed.

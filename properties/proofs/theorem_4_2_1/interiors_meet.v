@@ -226,8 +226,7 @@ Proof.
   rewrite winding_number_of_reflected in none; [lia | apply region_cycles | exact free].
 Qed.
 
-Lemma off_equal (a b : vector) (segments : list segment) :
-  equal_vectors a b -> off a segments -> off b segments.
+Lemma off_equal (a b : vector) (segments : list segment) : equal_vectors a b -> off a segments -> off b segments.
 Proof. intros equal free s I on. apply (free s I). now apply (lies_on_equal b); [symmetry |]. Qed.
 
 Lemma shifted_minus (x v : vector) (e : Q) :

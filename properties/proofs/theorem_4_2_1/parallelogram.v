@@ -76,8 +76,7 @@ Lemma opposite_comparison (a b : Q) : b == - a -> (b ?= 0) = CompOpp (a ?= 0).
 Proof. intros is_opposite. rewrite (Qcompare_antisym a 0). apply compare_as_difference. lra. Qed.
 
 (* With e and f exchanged. *)
-Lemma other_way_round (u v k b c d : Q) :
-  four_crossings v u k (- c) (- b) (- d) = (- four_crossings u v k b c d)%Z.
+Lemma other_way_round (u v k b c d : Q) : four_crossings v u k (- c) (- b) (- d) = (- four_crossings u v k b c d)%Z.
 Proof.
   unfold four_crossings.
   assert (at_most (v + u) k = at_most (u + v) k) as ->

@@ -11,9 +11,7 @@ Definition reflected (x : vector) (s : segment) : segment :=
   Segment (minus x (source s)) (minus x (target s)).
 
 Lemma on_reflected (x w : vector) (s : segment) : lies_on w (reflected x s) <-> lies_on (minus x w) s.
-Proof.
-  unfold lies_on, reflected, minus; cbn. split; intros (t & range & X & Y); exists t; split; trivial; lra.
-Qed.
+Proof. unfold lies_on, reflected, minus; cbn. split; intros (t & range & X & Y); exists t; split; trivial; lra. Qed.
 
 Lemma reflected_cycles (x : vector) (segments : list segment) :
   cycles segments -> cycles (map (reflected x) segments).
@@ -40,8 +38,7 @@ Proof.
   f_equal. unfold orientation. apply compare_as_difference. unfold minus; cbn. ring.
 Qed.
 
-(* Theorem. Off Q's chains, the winding number of x - z with respect to Q is that of z with respect to
-   -Q + x. *)
+(* Theorem. Off Q's chains, the winding number of x - z with respect to Q is that of z with respect to -Q + x. *)
 Theorem winding_number_of_reflected (x z : vector) (segments : list segment) :
   cycles segments -> off (minus x z) segments ->
   winding_number z (map (reflected x) segments) = winding_number (minus x z) segments.

@@ -179,9 +179,7 @@ Qed.
 Lemma sum_over_two A B (f g h : A -> B -> Z) l m :
   sum_of (fun a => sum_of (fun b => f a b + g a b + h a b) m) l =
   sum_of (fun a => sum_of (f a) m) l + sum_of (fun a => sum_of (g a) m) l + sum_of (fun a => sum_of (h a) m) l.
-Proof.
-  rewrite <- !sum_plus. apply sum_equally. intros a _. now rewrite <- !sum_plus.
-Qed.
+Proof. rewrite <- !sum_plus. apply sum_equally. intros a _. now rewrite <- !sum_plus. Qed.
 
 Lemma vertices_by_chains (f : vector * corner -> Z) (moved : vector * corner -> vector) (p q : region) :
   sum_of (fun v => f v * winding_number (moved v) (region_edges q)) (region_vertices p) =
@@ -240,6 +238,4 @@ Definition convolution_winding_number (x : vector) (p q : region) : Z :=
 Theorem count_tangents_returns (x : vector) (p q : region) (d : vector) :
   no_edges_are_points p -> no_edges_are_points q -> nonzero d ->
   count_tangents x p q d = convolution_winding_number x p q.
-Proof.
-  intros p_edges q_edges proper_d. symmetry. now apply tangent_count_of_regions.
-Qed.
+Proof. intros p_edges q_edges proper_d. symmetry. now apply tangent_count_of_regions. Qed.

@@ -106,9 +106,7 @@ Definition is_before (a : vector) (d : direction) : Z := Z.b2z (before (Directio
 
 Lemma before_of_one_summand : forall u v s t,
   before (Direction u s) (Direction v s) = before (Direction u t) (Direction v t).
-Proof.
-  unfold before, compare; cbn. intros u v s t. destruct (compare_angle u v), s, t; reflexivity.
-Qed.
+Proof. unfold before, compare; cbn. intros u v s t. destruct (compare_angle u v), s, t; reflexivity. Qed.
 
 (* What passing d adds to the potential `is_before`, the axis pays for: whatever d is. *)
 Lemma sweep_as_difference : forall d u v,
@@ -154,9 +152,7 @@ Definition total (f : vector * vector -> Z) (pairs : list (vector * vector)) : Z
 Lemma sum_of_permuted : forall (f : vector -> Z),
   (forall u v, equal_vectors u v -> f u = f v) ->
   forall us vs, PermutationA equal_vectors us vs -> sum (map f us) = sum (map f vs).
-Proof.
-  intros f F us vs P. unfold sum. induction P; cbn; try rewrite (F _ _ H); lia.
-Qed.
+Proof. intros f F us vs P. unfold sum. induction P; cbn; try rewrite (F _ _ H); lia. Qed.
 
 Lemma closed_total : forall (f : vector -> Z) g h pairs,
   (forall u v, equal_vectors u v -> f u = f v) -> closed pairs ->
@@ -196,6 +192,4 @@ Qed.
 Theorem sweeps_are_equal : forall pairs d e,
   closed pairs -> (forall u v, In (u, v) pairs -> turns u v) -> proper d -> proper e ->
   total (fun p => sweep d (fst p) (snd p)) pairs = total (fun p => sweep e (fst p) (snd p)) pairs.
-Proof.
-  intros pairs d e C T D E. rewrite !sweeps_are_axis by assumption. reflexivity.
-Qed.
+Proof. intros pairs d e C T D E. rewrite !sweeps_are_axis by assumption. reflexivity. Qed.

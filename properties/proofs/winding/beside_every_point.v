@@ -18,6 +18,4 @@ Qed.
 
 Lemma nowhere_negative_everywhere (r : region) :
   nowhere_negative r -> forall x, (0 <= winding_number x (region_edges r))%Z.
-Proof.
-  intros valid x. destruct (winding_number_beside x (region_edges r)) as (y & beside & <-). now apply valid.
-Qed.
+Proof. intros valid x. destruct (winding_number_beside x (region_edges r)) as (y & beside & <-). now apply valid. Qed.

@@ -40,8 +40,7 @@ Proof.
     (split; [lra | intros equal; lra]).
 Qed.
 
-Lemma fraction_between (u v : Q) :
-  (0 <= u /\ v <= 0 \/ u <= 0 /\ 0 <= v) -> ~ u == v -> 0 <= u / (u - v) <= 1.
+Lemma fraction_between (u v : Q) : (0 <= u /\ v <= 0 \/ u <= 0 /\ 0 <= v) -> ~ u == v -> 0 <= u / (u - v) <= 1.
 Proof.
   intros signs differ.
   assert (value : u / (u - v) * (u - v) == u) by (field; lra).
@@ -106,8 +105,7 @@ Proof.
 Qed.
 
 (* A part of a segment from one of its points to its end. *)
-Lemma part_of_segment (w v : vector) (s : segment) :
-  lies_on w s -> lies_on v (Segment w (target s)) -> lies_on v s.
+Lemma part_of_segment (w v : vector) (s : segment) : lies_on w s -> lies_on v (Segment w (target s)) -> lies_on v s.
 Proof.
   intros (t & [t0 t1] & wx & wy) (r & [r0 r1] & x & y). cbn [source target] in *.
   exists (1 - (1 - r) * (1 - t)). split; [split; nra |].

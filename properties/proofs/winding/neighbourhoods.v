@@ -23,8 +23,7 @@ Proof.
     [right | left | right]; rewrite lies_on_by_signs; lra.
 Qed.
 
-Lemma on_or_off (p : vector) (segments : list segment) :
-  (exists s, In s segments /\ lies_on p s) \/ off p segments.
+Lemma on_or_off (p : vector) (segments : list segment) : (exists s, In s segments /\ lies_on p s) \/ off p segments.
 Proof.
   induction segments as [| s rest IH]; [right; intros s [] |].
   destruct (lies_on_dec p s) as [on | free]; [left; exists s; split; [now left | exact on] |].
@@ -38,8 +37,7 @@ Lemma product_bounds (h a radius : Q) : - radius < h < radius -> - (radius * Qab
 Proof. intros range. destruct (abs_cases a) as [[sign ->] | [sign ->]]; split; nra. Qed.
 
 (* What is positive stays positive on small changes that are at most linear. *)
-Lemma radius_for (value slope : Q) : 0 < value -> 0 <= slope ->
-  exists radius, 0 < radius /\ radius * slope < value.
+Lemma radius_for (value slope : Q) : 0 < value -> 0 <= slope -> exists radius, 0 < radius /\ radius * slope < value.
 Proof.
   intros some _. destruct (some_small _ (eventually_positive value (- slope) some)) as (radius & R & small).
   exists radius. split; [exact R | lra].
@@ -93,8 +91,7 @@ Proof.
   pose proof (mixed_is_more h _ _ _ range Y1 Y3). pose proof (mixed_is_less h _ _ _ range Y2 Y4). lra.
 Qed.
 
-(* Theorem. Around every point off closed chains there is a square of points off them that have its winding
-   number. *)
+(* Theorem. Around every point off closed chains there is a square of points off them that have its winding number. *)
 Theorem winding_number_near (x : vector) (segments : list segment) :
   cycles segments -> off x segments ->
   exists radius, 0 < radius /\ forall y, within radius x y ->

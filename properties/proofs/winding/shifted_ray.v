@@ -25,8 +25,7 @@ Definition side (p : shifted_point) (s : segment) : comparison :=
   | exact => exact
   end.
 
-(* What a segment adds: the ray goes to the right at the height of the shifted point, at which no
-   segment ends. *)
+(* What a segment adds: the ray goes to the right at the height of the shifted point, at which no segment ends. *)
 Definition signed_crossing_of_shifted (p : shifted_point) (s : segment) : Z :=
   let below a := if is_above p then at_most (vy a) (vy (at_ p)) else negb (at_most (vy (at_ p)) (vy a)) in
   ray_crossing (below (source s)) (below (target s)) (side p s).
@@ -46,8 +45,7 @@ Definition right_of_middle (edge : segment) : shifted_point :=
 Definition sign_nearby (c0 c1 c2 : Q) : comparison :=
   match c0 ?= 0 with Eq => match c1 ?= 0 with Eq => c2 ?= 0 | c => c end | c => c end.
 
-Lemma positive_nearby : forall a b c, 0 < a ->
-  eventually (fun e => 0 < a + e * b + e * e * c).
+Lemma positive_nearby : forall a b c, 0 < a -> eventually (fun e => 0 < a + e * b + e * e * c).
 Proof.
   intros a b c A. assert (half : 0 < (1 # 2) * a) by lra.
   refine (eventually_implied _ _ _ (eventually_and _ _ (eventually_positive _ b half)
@@ -76,8 +74,7 @@ Proof.
   - refine (eventually_implied _ _ _ (nearby c0 c1 c2 apart)). intros e ->. compared_numbers (c0 ?= 0); trivial; lra.
 Qed.
 
-(* The shift decides on which side of its own height the point comes to be; so does that of an edge's
-   middle. *)
+(* The shift decides on which side of its own height the point comes to be; so does that of an edge's middle. *)
 Definition leaves_its_height (p : shifted_point) : Prop :=
   0 <= vy (first p) /\ (vy (first p) == 0 -> ~ vy (second p) == 0).
 
@@ -111,8 +108,7 @@ Proof.
     (at_most_spec (vy a) (vy (at_ p))), (at_most_spec (vy (at_ p)) (vy a)); split; trivial; (exfalso; lra) || lra.
 Qed.
 
-Lemma side_nearby : forall p s,
-  eventually (fun e => orientation (source s) (target s) (moved p e) = side p s).
+Lemma side_nearby : forall p s, eventually (fun e => orientation (source s) (target s) (moved p e) = side p s).
 Proof.
   intros p [a b]. set (d := minus b a). set (o := cross d (minus (at_ p) a)).
   refine (eventually_implied _ _ _ (quadratic_nearby o (cross d (first p)) (cross d (second p)))).
@@ -142,9 +138,7 @@ Proof.
 Qed.
 
 Lemma on_its_line : forall p s, lies_on p s -> orientation (source s) (target s) p = Eq.
-Proof.
-  intros p s (t & _ & X & Y). unfold orientation. apply (proj1 (Qeq_alt _ _)). rewrite X, Y. ring.
-Qed.
+Proof. intros p s (t & _ & X & Y). unfold orientation. apply (proj1 (Qeq_alt _ _)). rewrite X, Y. ring. Qed.
 
 Lemma crossing_nearby : forall edge s,
   nonzero (minus (target edge) (source edge)) ->

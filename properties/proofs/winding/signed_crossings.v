@@ -241,8 +241,7 @@ Proof. unfold is_above. cbn [shifted first second vy]. destruct (positive_spec 1
 Lemma shifted_leaves_its_height : forall p, leaves_its_height (shifted p).
 Proof. intros p. split; cbn; lra. Qed.
 
-Lemma shifted_off : forall p s,
-  eventually (fun e => ~ lies_on (moved (shifted p) e) s).
+Lemma shifted_off : forall p s, eventually (fun e => ~ lies_on (moved (shifted p) e) s).
 Proof.
   intros p s. destruct (zero_or_not (minus (target s) (source s))) as [[X Y] | D].
   - refine (eventually_implied _ _ _ (below_nearby (shifted p) (source s) (shifted_leaves_its_height p))).

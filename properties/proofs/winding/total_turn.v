@@ -53,8 +53,11 @@ Definition sum_of_angles (us : list vector) : Q := fold_right (fun u rest => ang
 Lemma sum_of_angles_permuted : forall us vs,
   PermutationA equal_vectors us vs -> sum_of_angles us == sum_of_angles vs.
 Proof.
-  intros us vs P. induction P; cbn; [reflexivity | rewrite (angle_of_equal _ _ H), IHP; reflexivity | ring |].
-  rewrite IHP1. exact IHP2.
+  intros us vs P. induction P; cbn.
+  - reflexivity.
+  - rewrite (angle_of_equal _ _ H), IHP. reflexivity.
+  - ring.
+  - rewrite IHP1. exact IHP2.
 Qed.
 
 (* Theorem. Around a closed sequence of directions, the signed angles add up to as many full turns as

@@ -33,8 +33,7 @@ Ltac in_coordinates :=
   unfold equal_vectors, area, cross, dot, moved_along, along, opposite, minus, reversed in *;
   cbn [source target vx vy] in *.
 
-Lemma left_normal (s : segment) : nonzero (along s) ->
-  0 < cross (along s) (Vector (- vy (along s)) (vx (along s))).
+Lemma left_normal (s : segment) : nonzero (along s) -> 0 < cross (along s) (Vector (- vy (along s)) (vx (along s))).
 Proof. intros long. pose proof (square_positive _ long). unfold cross, dot in *. cbn [vx vy]. lra. Qed.
 
 (* One that is always true. *)
@@ -42,8 +41,7 @@ Ltac by_coordinates :=
   unfold area, cross, dot, moved_along, along, opposite, minus, reversed; cbn [source target vx vy]; ring.
 
 (* What is parallel is a multiple. *)
-Lemma multiple_of (u v : vector) : nonzero v -> cross u v == 0 ->
-  exists c, vx u == c * vx v /\ vy u == c * vy v.
+Lemma multiple_of (u v : vector) : nonzero v -> cross u v == 0 -> exists c, vx u == c * vx v /\ vy u == c * vy v.
 Proof.
   intros some parallel. pose proof (square_positive v some) as square. exists (dot u v / dot v v).
   assert (value : dot u v / dot v v * dot v v == dot u v) by (field; lra).
@@ -162,8 +160,7 @@ Proof.
       destruct (no_squares (vx a - vx p) (vy a - vy p)); [nra |]. exists 0. repeat split; lra.
 Qed.
 
-Lemma turns_around : forall p s,
-  ~ lies_on p s -> turns (minus (source s) p) (minus (target s) p).
+Lemma turns_around : forall p s, ~ lies_on p s -> turns (minus (source s) p) (minus (target s) p).
 Proof.
   intros p s free. unfold turns, nonzero. repeat split.
   - intros [X Y]. apply free. exists 0. unfold minus in *. cbn in *. repeat split; lra.
@@ -273,9 +270,7 @@ Qed.
 (* Theorem. Winding numbers of chains, or of any closed pieces, add up. *)
 Theorem winding_number_is_additive : forall p some others,
   winding_number p (some ++ others) = (winding_number p some + winding_number p others)%Z.
-Proof.
-  intros p some others. unfold winding_number. now rewrite map_app, sum_of_both.
-Qed.
+Proof. intros p some others. unfold winding_number. now rewrite map_app, sum_of_both. Qed.
 
 (* The edges of a closed chain, edge i leaving vertex i: reference/definitions/region.cpp. *)
 Definition rotated {A} (l : list A) : list A :=
@@ -284,8 +279,7 @@ Definition rotated {A} (l : list A) : list A :=
 Definition edges (chain : list vector) : list segment :=
   map (fun ends => Segment (fst ends) (snd ends)) (combine chain (rotated chain)).
 
-Lemma edges_ends : forall chain,
-  map source (edges chain) = chain /\ map target (edges chain) = rotated chain.
+Lemma edges_ends : forall chain, map source (edges chain) = chain /\ map target (edges chain) = rotated chain.
 Proof.
   intros chain. unfold edges. rewrite !map_map. cbn.
   assert (length chain = length (rotated chain)) as L.
@@ -303,11 +297,7 @@ Qed.
 
 (* Closed chains satisfy what the theorems above ask for, and so do several together. *)
 Lemma closed_chain_cycles : forall chain, cycles (edges chain).
-Proof.
-  intros chain. unfold cycles. destruct (edges_ends chain) as [-> ->]. apply rotated_permuted.
-Qed.
+Proof. intros chain. unfold cycles. destruct (edges_ends chain) as [-> ->]. apply rotated_permuted. Qed.
 
 Lemma cycles_together : forall some others, cycles some -> cycles others -> cycles (some ++ others).
-Proof.
-  unfold cycles. intros some others A B. rewrite !map_app, A, B. reflexivity.
-Qed.
+Proof. unfold cycles. intros some others A B. rewrite !map_app, A, B. reflexivity. Qed.
