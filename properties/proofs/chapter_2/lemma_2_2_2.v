@@ -3,7 +3,7 @@
    Inner points of one region move with the point (neighbourhoods.v); that a boundary point is a sum at all is from
    Theorem 2.2.6 (theorem_2_2_6.v). *)
 From Coq Require Import QArith Qminmax Lqa ZArith Lia Bool List.
-From Oplus Require Import regions_and_sums theorem_2_2_10 theorem_2_2_6 observation_2_2_4 lemma_2_2_5.
+From Oplus Require Import regions_and_sums theorem_2_2_10 theorem_2_2_6 observation_2_2_4.
 Import ListNotations.
 
 Open Scope Q_scope.

@@ -4,7 +4,8 @@
    reduced convolution (reduced_edges_that_pass.v), if no chains of P touch, and none of Q, or if it is no sum of two
    vertices; where a touching point of P meets one of Q it need not be (docs/findings.md). *)
 From Coq Require Import QArith Lqa ZArith Bool List.
-From Oplus Require Import regions_and_sums theorem_2_2_10 theorem_2_2_6 lemma_2_2_2 boundary_points reduced_convolution fans_that_touch reduced_edges_that_pass.
+From Oplus Require Import regions_and_sums theorem_2_2_10 theorem_2_2_6 lemma_2_2_2 boundary_points reduced_convolution
+  fans_that_touch reduced_edges_that_pass.
 
 Open Scope Q_scope.
 
