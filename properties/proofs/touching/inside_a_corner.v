@@ -8,6 +8,12 @@ Import ListNotations.
 
 Open Scope Q_scope.
 
+Lemma vertex_is_in_region (v : vector) (r : region) : is_vertex v r -> in_region v r.
+Proof.
+  intros (s & I & at_source). right. exists s. split; [exact I |].
+  apply (lies_on_equal (source s)); [now symmetry | apply source_lies_on].
+Qed.
+
 (* f_in ends where f_out begins, and no other edge comes there. *)
 Definition meet_in_vertex (f_in f_out : segment) (r : region) : Prop :=
   In f_in (region_edges r) /\ In f_out (region_edges r) /\ equal_vectors (target f_in) (source f_out) /\
