@@ -13,9 +13,6 @@ Import ListNotations.
 
 Open Scope Q_scope.
 
-Lemma sum_in_other_order (x w u : vector) : equal_vectors x (plus w u) -> equal_vectors x (plus u w).
-Proof. intros [X Y]. unfold plus in *; cbn [vx vy] in *. split; cbn [vx vy]; lra. Qed.
-
 Lemma comes_from_behind (w : vector) (s : segment) : arrives w s = true ->
   eventually (fun t => lies_on (moved_along w (opposite (along s)) t) s).
 Proof.
