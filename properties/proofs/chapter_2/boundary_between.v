@@ -1,26 +1,50 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Between a point outside the sum and one inside, on a line that passes no end of a segment of the convolution, is a
-   boundary point of the sum: it is among the finitely many points at which the line crosses the convolution, the first
-   one beyond which the winding number is not zero. *)
+   boundary point of the sum: it is among the finitely many points at which the line crosses the convolution, one before
+   which the winding number is zero, and beyond which it is not. *)
 From Coq Require Import ZArith Lia Bool List.
-From Oplus Require Import numbers convolution signed_crossings tie_rule convolution_winding regions
+From Oplus Require Import convolution signed_crossings small_numbers tie_rule convolution_winding regions
   winding_number_of_the_sum meeting_of_segments first_hit first_edge_of_a_ray neighbourhoods left_of_an_edge
   theorem_4_2_1 theorem_2_2_10.
 Import ListNotations.
 
 Open Scope Q_scope.
 
-Lemma filter_has_fewer {A : Type} (f g : A -> bool) (a : A) (l : list A) :
-  (forall b, f b = true -> g b = true) -> In a l -> f a = false -> g a = true ->
-  (length (filter f l) < length (filter g l))%nat.
+(* What changes between a and b, but only at numbers of a list, changes at one of them. *)
+Lemma some_change (V : Q -> bool) (T : list Q) : forall a b, a < b -> (forall t, In t T -> ~ t == a /\ ~ t == b) ->
+  (forall c d, a <= c -> c < d -> d <= b -> (forall t, In t T -> ~ c <= t <= d) -> V c = V d) ->
+  V a = false -> V b = true ->
+  exists f c d, a <= c /\ c < f /\ f < d /\ d <= b /\ V c = false /\ V d = true /\
+    forall t, In t T -> c <= t <= d -> t == f.
 Proof.
-  intros implied I not_f is_g.
-  assert (at_most : forall m, (length (filter f m) <= length (filter g m))%nat).
-  { intros m. induction m as [| b m IH]; [reflexivity |]. cbn [filter]. specialize (implied b).
-    destruct (f b), (g b); cbn [length]; lia. }
-  induction l as [| b l IH]; [destruct I |]. cbn [filter]. destruct I as [-> | I].
-  - rewrite not_f, is_g. cbn [length]. specialize (at_most l). lia.
-  - specialize (IH I). specialize (implied b). destruct (f b), (g b); cbn [length]; lia.
+  induction T as [| m T IH]; intros a b order ends same_ before after.
+  { rewrite (same_ a b) in before by (trivial; lra || intros t []). congruence. }
+  assert (ends' : forall t, In t T -> ~ t == a /\ ~ t == b) by (intros t I; apply ends; now right).
+  destruct (ends m (or_introl eq_refl)) as [not_a not_b].
+  (* m is not between c and d *)
+  assert (further : forall c d, a <= c -> c < d -> d <= b -> m < c \/ d < m ->
+    (forall t, In t T -> ~ t == c /\ ~ t == d) -> V c = false -> V d = true ->
+    exists f c d, a <= c /\ c < f /\ f < d /\ d <= b /\ V c = false /\ V d = true /\
+      forall t, In t (m :: T) -> c <= t <= d -> t == f).
+  { intros c d a_c c_d d_b aside ends_ V_c V_d.
+    destruct (IH c d c_d ends_) as (f & c' & d' & c_c & c_f & f_d & d_d & V_c' & V_d' & only); trivial.
+    - intros c' d' c_c' c_d' d_d' free. apply same_; try lra. intros t [<- | I]; [lra | now apply free].
+    - exists f, c', d'. repeat split; trivial; try lra. intros t [<- | I] range; [lra | now apply only]. }
+  destruct (Qlt_le_dec a m) as [after_a |]; [destruct (Qlt_le_dec m b) as [before_b |] |];
+    [| apply (further a b); trivial; lra ..].
+  assert (gap : eventually (fun e => forall t, In t T -> m - e <= t <= m + e -> t == m)).
+  { apply (eventually_for_all (fun t e => m - e <= t <= m + e -> t == m)). intros t _.
+    destruct (Q_dec t m) as [[low | high] | same_m]; [exists (m - t) | exists (t - m) | exists 1]; (split; [lra |]);
+      intros e e0 e1 range; lra. }
+  destruct (some_small _ (eventually_and _ _ gap (eventually_and _ _ (eventually_below (m - a) ltac:(lra))
+    (eventually_below (b - m) ltac:(lra))))) as (e & some & only & below_a & below_b).
+  assert (ends_of_gap : forall t, In t T -> ~ t == m - e /\ ~ t == m + e).
+  { intros t I. split; intros at_end; specialize (only t I ltac:(lra)); lra. }
+  destruct (V (m - e)) eqn:V_c.
+  - apply (further a (m - e)); trivial; try lra. intros t I. split; [now apply ends' | now apply ends_of_gap].
+  - destruct (V (m + e)) eqn:V_d.
+    + exists m, (m - e), (m + e). repeat split; trivial; try lra. intros t [<- | I] range; [lra | now apply only].
+    + apply (further (m + e) b); trivial; try lra. intros t I. split; [now apply ends_of_gap | now apply ends'].
 Qed.
 
 Section Line.
@@ -33,115 +57,63 @@ Section Line.
   Let at_ (t : Q) : vector := moved_along y u t.
 
   Hypothesis generic : forall s, In s segments -> avoids y u s.
-  Hypothesis off_end : off (at_ 1) segments.
-  Hypothesis inside_end : (0 < winding_number (at_ 1) segments)%Z.
 
-  Let closed : cycles segments := convolution_is_closed p q (proj1 p_region) (proj1 q_region).
+  Let crossings : list Q := map (place_of_crossing y u) (filter (crosses_line y u) segments).
 
-  Lemma same_number_along (a b : Q) : a <= b ->
-    (forall s t, In s segments -> a <= t <= b -> ~ lies_on (at_ t) s) ->
+  Lemma on_means_crossing (t : Q) (s : segment) : In s segments -> lies_on (at_ t) s ->
+    exists c, In c crossings /\ t == c.
+  Proof.
+    intros I on. destruct (on_segment_is_crossing y u s t (generic s I) on) as [crossed place].
+    exists (place_of_crossing y u s). split; [| exact place]. now apply in_map, filter_In.
+  Qed.
+
+  Lemma off_means_no_crossing (t c : Q) : off (at_ t) segments -> In c crossings -> ~ c == t.
+  Proof.
+    intros free I same_. apply in_map_iff in I. destruct I as (s & <- & I). apply filter_In in I.
+    destruct I as [I crossed]. destruct (crossing_is_on_segment y u s crossed) as (k & k0 & k1 & X & Y).
+    apply (free s I). exists k. split; [lra |]. unfold at_, moved_along, inside_segment in *; cbn [vx vy] in *.
+    rewrite <- same_, X, Y. split; ring.
+  Qed.
+
+  Lemma same_number_along (a b : Q) : a < b -> (forall t, In t crossings -> ~ a <= t <= b) ->
     winding_number (at_ a) segments = winding_number (at_ b) segments.
   Proof.
-    intros order free. apply (winding_number_along (Segment (at_ a) (at_ b)) segments closed).
+    intros order free.
+    apply (winding_number_along (Segment (at_ a) (at_ b)) segments (convolution_is_closed p q (proj1 p_region)
+      (proj1 q_region))).
     intros v (k & [k0 k1] & X & Y) s I on. cbn [source target] in X, Y.
-    assert (0 <= k * (b - a)) by (apply Qmult_le_0_compat; lra).
-    assert (0 <= (1 - k) * (b - a)) by (apply Qmult_le_0_compat; lra).
-    apply (free s (a + k * (b - a)) I); [lra |]. apply (lies_on_equal v); [| exact on].
-    unfold at_, moved_along in *; cbn [vx vy] in *. split; cbn [vx vy]; [rewrite X | rewrite Y]; ring.
+    destruct (on_means_crossing (a + k * (b - a)) s I) as (c & C & c_is).
+    - apply (lies_on_equal v); [| exact on]. unfold at_, moved_along in *; cbn [vx vy] in *.
+      split; cbn [vx vy]; [rewrite X | rewrite Y]; ring.
+    - apply (free c C). rewrite <- c_is. split; nra.
   Qed.
 
-  Definition crosses_after (a : Q) (s : segment) : bool :=
-    crosses_line y u s && positive (place_of_crossing y u s - a) && positive (1 - place_of_crossing y u s).
-
-  Lemma crosses_after_is (a t : Q) (s : segment) : In s segments -> a < t -> t < 1 -> lies_on (at_ t) s ->
-    crosses_after a s = true /\ t == place_of_crossing y u s.
+  Theorem boundary_between : off (at_ 0) segments -> winding_number (at_ 0) segments = 0%Z ->
+    off (at_ 1) segments -> (0 < winding_number (at_ 1) segments)%Z ->
+    exists t, 0 < t /\ t < 1 /\ on_boundary_of_sum (at_ t) p q.
   Proof.
-    intros I after before on. destruct (on_segment_is_crossing y u s t (generic s I) on) as [crossed place].
-    split; [| exact place]. unfold crosses_after. rewrite crossed. cbn [andb].
-    destruct (positive_spec (place_of_crossing y u s - a)), (positive_spec (1 - place_of_crossing y u s));
-      try reflexivity; exfalso; lra.
-  Qed.
-
-  Lemma crosses_after_range (a : Q) (s : segment) : crosses_after a s = true ->
-    a < place_of_crossing y u s /\ place_of_crossing y u s < 1.
-  Proof.
-    unfold crosses_after. intros both. apply andb_true_iff in both. destruct both as [both before].
-    apply andb_true_iff in both. destruct both as [_ after].
-    destruct (positive_spec (place_of_crossing y u s - a)), (positive_spec (1 - place_of_crossing y u s));
-      try discriminate. split; lra.
-  Qed.
-
-  Theorem boundary_between (n : nat) : forall a, a < 1 -> off (at_ a) segments ->
-    winding_number (at_ a) segments = 0%Z -> (length (filter (crosses_after a) segments) <= n)%nat ->
-    exists t, a < t /\ t < 1 /\ on_boundary_of_sum (at_ t) p q.
-  Proof.
-    pose proof p_region as (p_edges & p_valid & _). pose proof q_region as (q_edges & q_valid & _).
-    induction n as [| n IH]; intros a before_end off_a zero_ many.
-    all: destruct (filter (crosses_after a) segments) as [| k rest] eqn:met; cbn [length] in many; try lia.
-    1, 2: exfalso; assert (same_ : winding_number (at_ a) segments = winding_number (at_ 1) segments); [| lia];
-      apply same_number_along; [lra |]; intros s t I [t0 t1] on;
-      (destruct (Qeq_dec t a) as [is_a |];
-       [apply (off_a s I), (lies_on_equal (at_ t)); trivial; unfold at_, moved_along; split; cbn [vx vy];
-        now rewrite is_a |]);
-      (destruct (Qeq_dec t 1) as [is_1 |];
-       [apply (off_end s I), (lies_on_equal (at_ t)); trivial; unfold at_, moved_along; split; cbn [vx vy];
-        now rewrite is_1 |]);
-      (assert (In s (filter (crosses_after a) segments)); [| now rewrite met in *]);
-      apply filter_In; split; [exact I |]; apply (crosses_after_is a t s I); trivial; lra.
-    (* the first crossing, and a point between it and the next *)
-    destruct (least_of (place_of_crossing y u) (k :: rest)) as (s & S & least); [discriminate |].
-    rewrite <- met in S, least. apply filter_In in S. destruct S as [S crossed].
-    destruct (crosses_after_range a s crossed) as [after_a before_1]. set (f := place_of_crossing y u s) in *.
-    assert (next_ : exists b, f < b /\ b <= 1 /\ forall s', In s' segments -> crosses_after f s' = true ->
-      b <= place_of_crossing y u s').
-    { destruct (filter (crosses_after f) segments) as [| k' rest'] eqn:later.
-      - exists 1. split; [exact before_1 |]. split; [lra |]. intros s' I' crossed'.
-        assert (In s' (filter (crosses_after f) segments)) by now apply filter_In. rewrite later in *. contradiction.
-      - destruct (least_of (place_of_crossing y u) (k' :: rest')) as (s2 & S2 & least2); [discriminate |].
-        rewrite <- later in S2, least2. apply filter_In in S2. destruct S2 as [S2 crossed2].
-        destruct (crosses_after_range f s2 crossed2). exists (place_of_crossing y u s2).
-        split; [assumption |]. split; [lra |]. intros s' I' crossed'. apply least2. now apply filter_In. }
-    destruct next_ as (b & f_b & b_1 & none_between).
-    assert (free_after : forall s' t, In s' segments -> f < t -> t < b -> ~ lies_on (at_ t) s').
-    { intros s' t I' t0 t1 on. destruct (crosses_after_is f t s' I' t0 ltac:(lra) on) as [crossed' place].
-      specialize (none_between s' I' crossed'). lra. }
-    assert (free_before : forall s' t, In s' segments -> a <= t -> t < f -> ~ lies_on (at_ t) s').
-    { intros s' t I' t0 t1 on. destruct (Qeq_dec t a) as [is_a | differ].
-      - apply (off_a s' I'), (lies_on_equal (at_ t)); trivial. unfold at_, moved_along; split; cbn [vx vy];
-          now rewrite is_a.
-      - destruct (crosses_after_is a t s' I' ltac:(lra) ltac:(lra) on) as [crossed' place].
-        assert (f <= place_of_crossing y u s'); [| lra]. apply least. now apply filter_In. }
-    set (m := (1 # 2) * (f + b)). assert (m_range : f < m /\ m < b) by (unfold m; lra). clearbody m.
-    assert (off_m : off (at_ m) segments) by (intros s' I'; apply free_after; trivial; lra).
-    pose proof (convolution_is_nowhere_negative p q (at_ m) p_edges q_edges p_valid q_valid) as not_negative.
-    fold segments in not_negative.
-    destruct (Z.eq_dec (winding_number (at_ m) segments) 0) as [none | some].
-    - destruct (IH m ltac:(lra) off_m none) as (t & t0 & t1 & boundary); [| exists t; split; [lra | now split]].
-      assert (fewer : (length (filter (crosses_after m) segments) < length (filter (crosses_after a) segments))%nat).
-      { apply (filter_has_fewer _ _ s); trivial.
-        - intros s' later. unfold crosses_after in *. destruct (crosses_line y u s'); [| discriminate].
-          destruct (positive_spec (place_of_crossing y u s' - m)), (positive_spec (place_of_crossing y u s' - a));
-            cbn [andb] in *; try discriminate; trivial. exfalso. lra.
-        - unfold crosses_after. fold f. destruct (positive_spec (f - m)); [exfalso; lra |].
-          now rewrite andb_false_r. }
-      rewrite met in fewer. cbn [length] in fewer. lia.
-    - exists f. split; [exact after_a |]. split; [exact before_1 |]. intros radius R.
-      destruct (small_steps_stay_within radius (at_ f) u R) as (l1 & L1 & near_1).
-      destruct (small_steps_stay_within radius (at_ f) (opposite u) R) as (l2 & L2 & near_2). split.
-      + set (h := if Qlt_le_dec l1 (m - f) then (1 # 2) * l1 else (1 # 2) * (m - f)).
-        assert (h_range : 0 < h /\ h < l1 /\ h < m - f) by (unfold h; destruct (Qlt_le_dec l1 (m - f)); lra).
-        clearbody h. exists (at_ (f + h)). split.
-        * specialize (near_1 h ltac:(lra) ltac:(lra)). unfold within, at_, moved_along in *; cbn [vx vy] in *. lra.
-        * apply positive_winding_number_is_in_the_sum; trivial. fold segments.
-          rewrite (same_number_along (f + h) m); [lia | lra |]. intros s' t I' range. apply free_after; trivial; lra.
-      + set (h := if Qlt_le_dec l2 (f - a) then (1 # 2) * l2 else (1 # 2) * (f - a)).
-        assert (h_range : 0 < h /\ h < l2 /\ h < f - a) by (unfold h; destruct (Qlt_le_dec l2 (f - a)); lra).
-        clearbody h. exists (at_ (f - h)). split.
-        * specialize (near_2 h ltac:(lra) ltac:(lra)). unfold within, at_, moved_along, opposite in *; cbn [vx vy] in *.
-          lra.
-        * assert (off_h : off (at_ (f - h)) segments) by (intros s' I'; apply free_before; trivial; lra).
-          intros in_. apply (positive_winding_number_iff_common_point p q _ p_region q_region off_h) in in_.
-          fold segments in in_. rewrite <- (same_number_along a (f - h)) in in_; [lia | lra |].
-          intros s' t I' range. apply free_before; trivial; lra.
+    intros off_0 zero_ off_1 round. pose proof p_region as (p_edges & p_valid & _).
+    pose proof q_region as (q_edges & q_valid & _).
+    destruct (some_change (fun t => 0 <? winding_number (at_ t) segments)%Z crossings 0 1)
+      as (f & c & d & c0 & c_f & f_d & d1 & V_c & V_d & only); [lra | | | now rewrite zero_ | now apply Z.ltb_lt |].
+    { intros t I. split; now apply off_means_no_crossing. }
+    { intros c d _ order _ free. now rewrite (same_number_along c d order free). }
+    apply Z.ltb_ge in V_c. apply Z.ltb_lt in V_d.
+    exists f. split; [lra |]. split; [lra |]. intros radius R.
+    destruct (some_small _ (eventually_and _ _
+      (eventually_and _ _ (eventually_below (f - c) ltac:(lra)) (eventually_below (d - f) ltac:(lra)))
+      (eventually_and _ _ (small_steps_stay_within radius (at_ f) u R)
+        (small_steps_stay_within radius (at_ f) (opposite u) R)))) as (h & some & [below_c below_d] & near_1 & near_2).
+    split; [exists (at_ (f + h)) | exists (at_ (f - h))]; unfold within, at_, moved_along, opposite in near_1, near_2;
+      cbn [vx vy] in near_1, near_2; (split; [unfold within, at_, moved_along; cbn [vx vy]; lra |]).
+    - apply positive_winding_number_is_in_the_sum; trivial. fold segments.
+      rewrite (same_number_along (f + h) d); [exact V_d | lra |].
+      intros t I range. specialize (only t I ltac:(lra)). lra.
+    - assert (off_h : off (at_ (f - h)) segments).
+      { intros s I on. destruct (on_means_crossing (f - h) s I on) as (t & T & t_is).
+        specialize (only t T ltac:(lra)). lra. }
+      intros in_. apply (positive_winding_number_iff_common_point p q _ p_region q_region off_h) in in_.
+      fold segments in in_. rewrite <- (same_number_along c (f - h)) in in_; [lia | lra |].
+      intros t I range. specialize (only t I ltac:(lra)). lra.
   Qed.
 End Line.

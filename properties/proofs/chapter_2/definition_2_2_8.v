@@ -155,6 +155,21 @@ Proof.
   split; (intros [arc | [line same]]; [now left | right; split; [exact line | lra]]).
 Qed.
 
+(* At a vertex, or along an edge. *)
+Lemma tangents_by_angles a d : nonzero d -> tangent_at chain a d ->
+  (exists i, (i < n)%nat /\ equal_vectors a (vertex chain i) /\
+     met (angle (edge_of_chain chain (previous n i))) (angle d) (angle (edge_of_chain chain i))) \/
+  (exists i t, (i < n)%nat /\ 0 <= t <= 1 /\ equal_vectors a (point_along chain i t) /\
+     angle d == angle (edge_of_chain chain i)).
+Proof.
+  intros nd (i & I & [(at_vertex & touches) | (t & t0 & t1 & a_is & same)]).
+  - apply touches_by_angles in touches; trivial. destruct touches as [arc | [_ same]]; [left; now exists i | right].
+    exists i, 0. split; [exact I |]. split; [lra |]. split; [| exact same].
+    rewrite at_vertex. symmetry. apply along_nothing.
+  - right. exists i, t. apply same_direction_angle in same; trivial; [| now apply edge_proper].
+    split; [exact I |]. split; [lra | now split].
+Qed.
+
 Lemma tangent_inside i t d : (i < n)%nat -> 0 < t -> t < 1 -> nonzero d ->
   angle d == angle (edge_of_chain chain i) -> tangent_at chain (point_along chain i t) d.
 Proof.
@@ -501,56 +516,30 @@ Lemma sum_of_two_edges i j s r x : (i < n)%nat -> (j < m)%nat ->
   equal_vectors x (plus (point_along p i s) (point_along q j r)) -> on_a_segment x.
 Proof. intros. now apply (on_one_along (edge_of_chain p i)), ties_are_segments, (sum_along_two_edges i j s r). Qed.
 
-Lemma along_equal_vertex chain i a : equal_vectors a (vertex chain i) -> equal_vectors a (point_along chain i 0).
-Proof. intros there. rewrite there. symmetry. apply along_nothing. Qed.
-
 (* Definition 2.2.8's points are 2.2.7's. *)
 Lemma sums_are_on_segments x : sum_of_tangents x -> on_a_segment x.
 Proof.
-  intros (a & b & d & nd & (i & I & at_p) & (j & J & at_q) & x_is).
-  fold n in I. fold m in J.
-  pose proof (previous_below n i I) as I'. pose proof (previous_below m j J) as J'.
-  pose proof (edge_proper p turning_p i I) as ne. pose proof (edge_proper q turning_q j J) as nf.
+  intros (a & b & d & nd & at_p & at_q & x_is). apply tangents_by_angles in at_p, at_q; trivial. fold n m in at_p, at_q.
   assert (sum_is : forall a' b', equal_vectors a a' -> equal_vectors b b' -> equal_vectors x (plus a' b'))
     by (intros a' b' first second; rewrite x_is; now apply plus_of_equal).
-  destruct at_p as [(a_is & touches_p) | (t & t_start & t_end & a_is & dir_p)];
-    destruct at_q as [(b_is & touches_q) | (o & o_start & o_end & b_is & dir_q)];
-    try (apply touches_by_angles in touches_p; trivial; fold n in touches_p);
-    try (apply touches_by_angles in touches_q; trivial; fold m in touches_q);
-    try (apply same_direction_angle in dir_p; trivial); try (apply same_direction_angle in dir_q; trivial).
-  - destruct touches_p as [arc_p | [line_p dir_p]], touches_q as [arc_q | [line_q dir_q]].
-    + destruct (arcs_in_common _ _ _ _ _ arc_p arc_q) as [q_inside | [p_inside | together]].
-      * exists i, (previous m j), 1. repeat split; trivial; try lra. right. split.
-        { apply segment_of_q; trivial. now left. }
-        apply sum_is; [exact a_is |]. rewrite b_is. symmetry. now apply along_the_edge_before.
-      * exists (previous n i), j, 1. repeat split; trivial; try lra. left. split.
-        { apply segment_of_p; trivial. now left. }
-        apply sum_is; [| exact b_is]. rewrite a_is. symmetry. now apply along_the_edge_before.
-      * exists i, (previous m j), 1. repeat split; trivial; try lra. right. split.
-        { apply segment_of_q; trivial. right. fold n. unfold met in arc_p. split; lra. }
-        apply sum_is; [exact a_is |]. rewrite b_is. symmetry. now apply along_the_edge_before.
-    + exists i, j, 0. repeat split; trivial; try lra. right. split.
-      { apply segment_of_q; trivial. left. unfold met in *. fold n. lra. }
-      apply sum_is; [exact a_is | now apply along_equal_vertex].
-    + exists i, j, 0. repeat split; trivial; try lra. left. split.
-      { apply segment_of_p; trivial. left. unfold met in *. fold m. lra. }
-      apply sum_is; [now apply along_equal_vertex | exact b_is].
-    + apply (sum_of_two_edges i j 0 0); trivial; try lra.
-      apply sum_is; now apply along_equal_vertex.
-  - destruct touches_p as [arc_p | [line_p dir_p]].
-    + exists i, j, o. repeat split; trivial; try lra. right. split.
-      { apply segment_of_q; trivial. left. unfold met in *. fold n. lra. }
-      now apply sum_is.
-    + apply (sum_of_two_edges i j 0 o); trivial; try lra.
-      apply sum_is; [now apply along_equal_vertex | exact b_is].
-  - destruct touches_q as [arc_q | [line_q dir_q]].
-    + exists i, j, t. repeat split; trivial; try lra. left. split.
-      { apply segment_of_p; trivial. left. unfold met in *. fold m. lra. }
-      now apply sum_is.
-    + apply (sum_of_two_edges i j t 0); trivial; try lra.
-      apply sum_is; [exact a_is | now apply along_equal_vertex].
-  - apply (sum_of_two_edges i j t o); trivial; try lra.
-    now apply sum_is.
+  destruct at_p as [(i & I & a_is & arc_p) | (i & t & I & range_p & a_is & dir_p)],
+    at_q as [(j & J & b_is & arc_q) | (j & o & J & range_q & b_is & dir_q)].
+  - pose proof (previous_below n i I) as I'. pose proof (previous_below m j J) as J'.
+    destruct (arcs_in_common _ _ _ _ _ arc_p arc_q) as [q_inside | [p_inside | together]].
+    + exists i, (previous m j), 1. repeat split; trivial; try lra. right. split.
+      { apply segment_of_q; trivial. now left. }
+      apply sum_is; [exact a_is |]. rewrite b_is. symmetry. now apply along_the_edge_before.
+    + exists (previous n i), j, 1. repeat split; trivial; try lra. left. split.
+      { apply segment_of_p; trivial. now left. }
+      apply sum_is; [| exact b_is]. rewrite a_is. symmetry. now apply along_the_edge_before.
+    + exists i, (previous m j), 1. repeat split; trivial; try lra. right. split.
+      { apply segment_of_q; trivial. right. fold n. unfold met in arc_p. split; lra. }
+      apply sum_is; [exact a_is |]. rewrite b_is. symmetry. now apply along_the_edge_before.
+  - exists i, j, o. repeat split; trivial; try apply range_q. right. split; [| now apply sum_is].
+    apply segment_of_q; trivial. left. unfold met in *. fold n. lra.
+  - exists i, j, t. repeat split; trivial; try apply range_p. left. split; [| now apply sum_is].
+    apply segment_of_p; trivial. left. unfold met in *. fold m. lra.
+  - apply (sum_of_two_edges i j t o); trivial; [lra | now apply sum_is].
 Qed.
 
 End Chains.

@@ -3,7 +3,7 @@
    Inner points of one region move with the point (neighbourhoods.v); that a boundary point is a sum at all is from
    Theorem 2.2.6 (theorem_2_2_6.v). *)
 From Coq Require Import ZArith Lia Bool List.
-From Oplus Require Import numbers regions_and_sums theorem_2_2_10 theorem_2_2_6 observation_2_2_4 lemma_2_2_5.
+From Oplus Require Import numbers regions_and_sums inside_a_corner theorem_2_2_10 theorem_2_2_6 observation_2_2_4.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -61,13 +61,10 @@ Qed.
 (* Sums of a vertex and a point of an edge are in the sum. *)
 Lemma vertex_edge_sums_are_in_the_sum (p q : region) (x : vector) : on_vertex_edge_sum x p q -> in_sum x p q.
 Proof.
-  assert (vertex_in : forall v r, is_vertex v r -> in_region v r).
-  { intros v r (s & I & [X Y]). right. exists s. split; [exact I |]. exists 0. rewrite X, Y. split; [lra |].
-    split; ring. }
   intros [(v & f & vertex & I & on) | (v & e & vertex & I & on)].
-  - apply (in_sum_of x v (minus x v)); [now apply vertex_in | right; now exists f |].
+  - apply (in_sum_of x v (minus x v)); [now apply vertex_is_in_region | right; now exists f |].
     unfold plus, minus. split; cbn [vx vy]; ring.
-  - apply (in_sum_of x (minus x v) v); [right; now exists e | now apply vertex_in |].
+  - apply (in_sum_of x (minus x v) v); [right; now exists e | now apply vertex_is_in_region |].
     unfold plus, minus. split; cbn [vx vy]; ring.
 Qed.
 

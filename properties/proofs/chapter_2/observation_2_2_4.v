@@ -50,23 +50,6 @@ Proof.
     pose proof (square_bound _ X1 X2). pose proof (square_bound _ Y1 Y2). lra.
 Qed.
 
-(* Theorem. Around a point of an edge that is no vertex, all points to the left of the edge are inside, and those on
-   its line are on it. *)
-Theorem half_square_beside_an_edge (r : region) (s : segment) (w : vector) :
-  valid_region r -> In s (region_edges r) -> lies_on w s -> ~ is_vertex w r ->
-  exists radius, 0 < radius /\ forall z, within radius w z ->
-    (0 < area s z -> inside z r) /\ (area s z == 0 -> lies_on z s).
-Proof.
-  intros r_region I on no_vertex. pose proof (region_edges_are_directions r (proj1 r_region) s I) as long.
-  destruct (fills_left_beside_an_edge r s w r_region I on no_vertex) as (r1 & R1 & near_1).
-  destruct (on_its_edge_near s w (strictly_between r s w long I on no_vertex)) as (r2 & R2 & near_2).
-  exists (Qmin r1 r2). split; [now apply Q.min_glb_lt |]. intros z close.
-  split; [intros left_; apply near_1 | apply near_2].
-  - refine (within_smaller _ _ _ _ _ close). apply Q.le_min_l.
-  - now rewrite <- area_from.
-  - refine (within_smaller _ _ _ _ _ close). apply Q.le_min_r.
-Qed.
-
 (* Theorem, Observation 2.2.4. w is a point of the edge e of P and no vertex, u any point of Q. All points near w + u
    and to the left of the line of the edge e + u, or on it, are in the sum. *)
 Theorem half_square_of_the_sum (p q : region) (e : segment) (w u : vector) :
@@ -75,14 +58,17 @@ Theorem half_square_of_the_sum (p q : region) (e : segment) (w u : vector) :
     0 <= cross (along e) (minus y (plus w u)) -> in_sum y p q.
 Proof.
   intros p_region I on no_vertex in_q.
-  destruct (half_square_beside_an_edge p e w p_region I on no_vertex) as (radius & R & near).
-  exists radius. split; [exact R |]. intros y close left_.
-  assert (close_w : within radius w (minus y u)) by (unfold within, plus, minus in *; cbn [vx vy] in *; lra).
-  destruct (near _ close_w) as [to_the_left on_the_edge].
-  assert (value : area e (minus y u) == cross (along e) (minus y (plus w u))).
-  { pose proof (on_the_line w e on). unfold plus in *. in_coordinates. by_equations. }
-  apply (in_sum_of y (minus y u) u); [| exact in_q | split; unfold plus, minus; cbn [vx vy]; ring].
-  rewrite <- value in left_. destruct (Qlt_le_dec 0 (area e (minus y u))) as [inside_ | at_most_].
-  - apply inside_is_in_region. now apply to_the_left.
-  - right. exists e. split; [exact I |]. apply on_the_edge. lra.
+  pose proof (region_edges_are_directions p (proj1 p_region) e I) as long.
+  destruct (fills_left_beside_an_edge p e w p_region I on no_vertex) as (r1 & R1 & fills).
+  destruct (on_its_edge_near e w (strictly_between p e w long I on no_vertex)) as (r2 & R2 & on_the_edge).
+  exists (Qmin r1 r2). split; [now apply Q.min_glb_lt |]. intros y close left_.
+  pose proof (Q.le_min_l r1 r2). pose proof (Q.le_min_r r1 r2). set (z := minus y u).
+  assert (value : cross (along e) (minus z w) == cross (along e) (minus y (plus w u)))
+    by (unfold z, plus; by_coordinates).
+  assert (near : within (Qmin r1 r2) w z) by (unfold z, within, plus, minus in *; cbn [vx vy] in *; lra).
+  apply (in_sum_of y z u); [| exact in_q | split; unfold z, plus, minus; cbn [vx vy]; ring].
+  destruct (Qlt_le_dec 0 (cross (along e) (minus z w))) as [inside_ | at_most_].
+  - now apply inside_is_in_region, fills; [apply (within_smaller (Qmin r1 r2)) |].
+  - right. exists e. split; [exact I |]. apply on_the_edge; [now apply (within_smaller (Qmin r1 r2)) |].
+    rewrite (area_from w z e on). lra.
 Qed.

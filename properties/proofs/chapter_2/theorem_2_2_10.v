@@ -17,6 +17,19 @@ Definition on_boundary_of_sum (x : vector) (p q : region) : Prop :=
 Definition inner_point_of_sum (x : vector) (p q : region) : Prop :=
   exists radius, 0 < radius /\ forall y, within radius x y -> in_sum y p q.
 
+Lemma inner_points_are_not_on_the_boundary (p q : region) (x : vector) :
+  inner_point_of_sum x p q -> ~ on_boundary_of_sum x p q.
+Proof.
+  intros (radius & R & near) boundary. destruct (boundary radius R) as [_ (y & close & out)].
+  now apply out, near.
+Qed.
+
+Lemma in_sum_other_way (x : vector) (p q : region) : in_sum x p q -> in_sum x q p.
+Proof.
+  intros (a & b & in_p & in_q & X & Y). exists b, a. split; [exact in_q |]. split; [exact in_p |].
+  unfold plus in *; cbn [vx vy] in *. split; cbn [vx vy]; lra.
+Qed.
+
 (* Theorem. Every point off the convolution that is in the sum is an inner point of it: all points near it are in the
    sum. And every point off both has no point of the sum near it. *)
 Theorem off_the_convolution_all_near_are_alike (p q : region) (x : vector) :

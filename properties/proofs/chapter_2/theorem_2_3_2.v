@@ -1,31 +1,14 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Theorem 2.3.2, first part: the sum of an edge of P and a reflex vertex of Q is not on the boundary of the sum, but
    for the sums of vertices of P. No other chain of Q touches the vertex: without this the theorem is false
-   (docs/findings.md). Near a reflex vertex more than a half plane is inside (inside_a_corner.v), so an
-   edge can slide to its right (lemma_2_2_9.v). *)
+   (docs/findings.md). To the left of each edge of a reflex vertex all is inside (inside_a_corner.v). *)
 From Coq Require Import ZArith Lia Bool List.
-From Oplus Require Import numbers regions_and_sums first_edge_of_a_ray theorem_2_2_6 theorem_2_2_10 observation_2_2_4
+From Oplus Require Import regions_and_sums first_edge_of_a_ray theorem_2_2_6 theorem_2_2_10 observation_2_2_4
   lemma_2_2_9 lemma_2_2_5 inside_a_corner lemma_2_2_2 boundary_points boundary_between reduced_convolution
-  edges_at_a_point fan_at_a_point reduced_edges_that_pass.
+  edges_at_a_point fan_at_a_point fans_that_touch edges_that_pass reduced_edges_that_pass.
 Import ListNotations.
 
 Open Scope Q_scope.
-
-(* Inside a reflex vertex, opposite to the middle of its two edges. *)
-Lemma inside_a_reflex_vertex (r : region) (f_in f_out : segment) :
-  valid_region r -> meet_in_vertex f_in f_out r -> cross (along f_in) (along f_out) < 0 ->
-  has_segment r (source f_out) (minus (along f_in) (along f_out)).
-Proof.
-  intros r_valid vertex right_turn. pose proof vertex as (_ & J & _). set (n := minus (along f_in) (along f_out)).
-  destruct (fills_left_at_a_vertex r f_in f_out r_valid vertex) as [(radius & R & fills) _]; [lra |].
-  destruct (small_steps_stay_within radius (source f_out) n R) as (len & L & near).
-  exists len. split; [exact L |]. intros t t0 t1. destruct (Qlt_le_dec 0 t) as [some | none].
-  - apply inside_is_in_region, fills; [now apply near |].
-    setoid_replace (cross (along f_in) (minus (moved_along (source f_out) n t) (source f_out)))
-      with (t * - cross (along f_in) (along f_out)) by (unfold n; by_coordinates). nra.
-  - right. exists f_out. split; [exact J |]. assert (t_is : t == 0) by lra. exists 0.
-    unfold moved_along; cbn [vx vy]. rewrite t_is. split; [lra |]. split; ring.
-Qed.
 
 Lemma inner_point_equal (x y : vector) (p q : region) :
   equal_vectors x y -> inner_point_of_sum x p q -> inner_point_of_sum y p q.
@@ -34,7 +17,8 @@ Proof.
   unfold within in *. lra.
 Qed.
 
-(* Theorem 2.3.2, first part. *)
+(* Theorem 2.3.2, first part. One of the two edges of the vertex is not parallel to e, so from the vertex a step along e
+   or back leads inside Q, and the opposite step stays on e. *)
 Theorem edge_plus_reflex_vertex_is_inner (p q : region) (e f_in f_out : segment) (w : vector) :
   valid_region p -> valid_region q ->
   In e (region_edges p) -> lies_on w e -> ~ is_vertex w p ->
@@ -42,32 +26,25 @@ Theorem edge_plus_reflex_vertex_is_inner (p q : region) (e f_in f_out : segment)
   inner_point_of_sum (plus w (source f_out)) p q.
 Proof.
   intros p_region q_region I on no_vertex vertex right_turn.
-  pose proof vertex as (in_ & out_ & [tx ty] & _).
-  destruct (sliding_lemma p q e f_out w p_region I on no_vertex out_) as [slide_out _].
-  destruct (sliding_lemma p q e f_in w p_region I on no_vertex in_) as [_ slide_in].
-  destruct (Qlt_le_dec (cross (along e) (along f_out)) 0) as [out_right | out_left]; [now apply slide_out |].
-  destruct (Qlt_le_dec (cross (along e) (opposite (along f_in))) 0) as [in_right | in_left].
-  { apply (inner_point_equal (plus w (target f_in))); [| now apply slide_in].
-    unfold plus. split; cbn [vx vy]; lra. }
-  apply (sliding p q e w (source f_out) (minus (along f_in) (along f_out))); trivial.
-  - now apply inside_a_reflex_vertex.
-  - destruct p_region as (p_edges & _). pose proof (region_edges_are_directions p p_edges e I) as long.
-    pose proof (square_positive _ long) as square.
-    assert (value : dot (along e) (along e) * cross (along f_in) (along f_out) ==
-                    cross (along e) (along f_out) * dot (along e) (along f_in) -
-                    cross (along e) (along f_in) * dot (along e) (along f_out)) by (unfold cross, dot; ring).
-    assert (difference : cross (along e) (minus (along f_in) (along f_out)) ==
-                         cross (along e) (along f_in) - cross (along e) (along f_out))
-      by (unfold cross, minus; cbn [vx vy]; ring).
-    assert (back : cross (along e) (opposite (along f_in)) == - cross (along e) (along f_in))
-      by (unfold cross, opposite; cbn [vx vy]; ring).
-    rewrite difference. rewrite back in in_left.
-    destruct (Qlt_le_dec (cross (along e) (along f_in) - cross (along e) (along f_out)) 0) as [| none];
-      [assumption | exfalso].
-    assert (zero_out : cross (along e) (along f_out) == 0) by lra.
-    assert (zero_in : cross (along e) (along f_in) == 0) by lra.
-    rewrite zero_out, zero_in in value.
-    set (c := cross (along f_in) (along f_out)) in *. clearbody c. nra.
+  pose proof (region_edges_are_directions p (proj1 p_region) e I) as long.
+  destruct (passes_both_ways p w e I on no_vertex) as [departing_ arriving].
+  assert (by_step : forall d v, fills_left (source f_out) d q -> cross d v < 0 ->
+    eventually (fun t => lies_on (moved_along w v t) e) -> inner_point_of_sum (plus w (source f_out)) p q).
+  { intros d v fills side on_e. apply inner_other_way.
+    apply (inner_point_equal (plus (source f_out) w)); [unfold plus; split; cbn [vx vy]; ring |].
+    apply (sliding q p (source f_out) w d v fills); [| exact side].
+    refine (eventually_implied _ _ _ on_e). intros t on_t. right. now exists e. }
+  assert (by_edge : forall d, fills_left (source f_out) d q -> ~ cross d (along e) == 0 ->
+    inner_point_of_sum (plus w (source f_out)) p q).
+  { intros d fills turn. destruct (Q_dec (cross d (along e)) 0) as [[right_ | left_] | flat]; [| | contradiction].
+    - now apply (by_step d (along e) fills), goes_ahead_from.
+    - apply (by_step d (opposite (along e)) fills); [| now apply comes_from_behind].
+      unfold cross, opposite in *; cbn [vx vy]. lra. }
+  destruct (fills_left_at_a_vertex q f_in f_out q_region vertex) as [fills_in fills_out]; [lra |].
+  destruct (Qeq_dec (cross (along f_in) (along e)) 0) as [flat_in |]; [| now apply (by_edge (along f_in))].
+  destruct (Qeq_dec (cross (along f_out) (along e)) 0) as [flat_out |]; [| now apply (by_edge (along f_out))].
+  exfalso. destruct (multiple_of _ _ long flat_in) as (c & X & Y), (multiple_of _ _ long flat_out) as (c' & X' & Y').
+  unfold cross in right_turn. rewrite X, Y, X', Y' in right_turn. lra.
 Qed.
 
 (* So it is not on the boundary. *)
@@ -141,18 +118,15 @@ Proof.
   assert (at_start : equal_vectors y (moved_along y u 0)) by (split; unfold moved_along; cbn [vx vy]; ring).
   assert (at_end : equal_vectors z' (moved_along y u 1)) by (split; unfold moved_along, u, minus; cbn [vx vy]; ring).
   (* and a boundary point between them *)
-  destruct (boundary_between p q y u p_region q_region) with
-    (n := length (filter (crosses_after y u 0) (convolution_segments p q))) (a := 0) as (t & t0 & t1 & boundary_t).
+  destruct (boundary_between p q y u p_region q_region) as (t & t0 & t1 & boundary_t).
   - intros s I. assert (side : forall v, In (Segment y v) lines -> ~ side_of y u v == 0).
     { intros v J flat. apply (off_lines _ J). transitivity (- side_of y u v); [| lra].
       unfold area, side_of, u, cross, minus; cbn [source target vx vy]. ring. }
     split; apply side; right; apply in_flat_map; exists s; (split; [exact I |]); cbn; tauto.
-  - now apply (off_equal z').
-  - rewrite <- (winding_number_of_equal z' _ _ (proj1 at_end) (proj2 at_end)). lia.
-  - lra.
   - now apply (off_equal y).
   - now rewrite <- (winding_number_of_equal y _ _ (proj1 at_start) (proj2 at_start)).
-  - reflexivity.
+  - now apply (off_equal z').
+  - rewrite <- (winding_number_of_equal z' _ _ (proj1 at_end) (proj2 at_end)). lia.
   - set (c := moved_along y u t) in *.
     assert (close_c : within radius x c).
     { apply (within_along radius x y z'); trivial. exists t. split; [lra |].

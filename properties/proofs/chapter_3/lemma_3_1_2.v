@@ -63,24 +63,6 @@ Proof.
     apply (impossible (Vector (vy D) (- vx D))); unfold cross, dot in *; cbn [vx vy]; lra.
 Qed.
 
-(* Theorem. In particular no two segments of opposite directions pass a boundary point like this. *)
-Theorem no_opposite_segments_on_the_boundary (p q : region) (x d d' : vector) :
-  valid_region p -> valid_region q -> on_boundary_of_sum x p q -> passes x d p q -> passes x d' p q ->
-  cross d d' == 0 -> 0 < dot d d'.
-Proof.
-  intros p_region q_region boundary passing passing' parallel.
-  destruct (Qlt_le_dec 0 (dot d d')) as [| back]; [assumption | exfalso].
-  destruct (half_square_of_what_passes x d p q p_region q_region passing) as (long & r1 & R1 & left_half).
-  destruct (half_square_of_what_passes x d' p q p_region q_region passing') as (_ & r2 & R2 & right_half).
-  apply (inner_points_are_not_on_the_boundary p q x); [| exact boundary].
-  exists (Qmin r1 r2). split; [now apply Q.min_glb_lt |]. intros y close.
-  pose proof (Q.le_min_l r1 r2). pose proof (Q.le_min_r r1 r2).
-  destruct (Qlt_le_dec (cross d (minus y x)) 0) as [right_ | left_].
-  - apply right_half; [now apply (within_smaller (Qmin r1 r2)) |].
-    now apply (right_is_left_of_opposite d d').
-  - apply left_half; [now apply (within_smaller (Qmin r1 r2)) | exact left_].
-Qed.
-
 (* A point strictly between the ends of an edge is no vertex. *)
 Lemma between_is_no_vertex (r : region) (chain : list vector) i k :
   no_edges_are_points r -> chains_do_not_touch r -> In chain r -> (i < length chain)%nat -> 0 < k < 1 ->

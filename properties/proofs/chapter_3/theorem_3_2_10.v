@@ -124,33 +124,24 @@ Section IsolatedVertex.
     same_direction d2 (opposite d1).
   Proof.
     intros proper_1 proper_2 only.
-    assert (no_side : forall v w : vector, same_direction v w -> cross v w == 0)
-      by (intros v w (a & _ & X & Y); unfold cross; rewrite X, Y; ring).
-    assert (not_back : forall s d, nonzero d -> same_direction s d -> same_direction s (opposite d) -> False).
-    { intros s d proper_d (a & a0 & ax & ay) (b & b0 & bx & by_). apply proper_d.
-      unfold opposite in bx, by_; cbn [vx vy] in bx, by_.
-      assert (zero_x : (a + b) * vx d == 0) by lra. assert (zero_y : (a + b) * vy d == 0) by lra.
-      apply Qmult_integral in zero_x, zero_y. split; lra. }
-    assert (flipped : same_direction d1 (opposite d2) -> same_direction d2 (opposite d1)).
-    { intros (a & a0 & ax & ay). unfold opposite in ax, ay; cbn [vx vy] in ax, ay.
-      exists (/ a). split; [now apply Qinv_lt_0_compat |]. unfold opposite; cbn [vx vy]. rewrite ax, ay.
-      split; field; lra. }
-    destruct (segments_on_all_sides d1 proper_1)
-      as [(s & covers_s & left_s) | [_ (s & covers_s & back)]].
-    2: { destruct (only s covers_s) as [same_ | same_]; [exfalso; exact (not_back _ _ proper_1 same_ back) |].
-         exact (same_direction_transitive _ _ _ (same_direction_symmetric _ _ same_) back). }
-    destruct (segments_on_all_sides d2 proper_2)
-      as [(t & covers_t & left_t) | [_ (t & covers_t & back)]].
-    2: { destruct (only t covers_t) as [same_ | same_]; [| exfalso; exact (not_back _ _ proper_2 same_ back)].
-         apply flipped. exact (same_direction_transitive _ _ _ (same_direction_symmetric _ _ same_) back). }
-    exfalso.
-    destruct (only s covers_s) as [same_s | (a & a0 & ax & ay)]; [apply no_side in same_s; lra |].
-    destruct (only t covers_t) as [(b & b0 & bx & by_) | same_t]; [| apply no_side in same_t; lra].
-    assert (value_s : cross (along s) d1 == a * cross d2 d1) by (unfold cross; rewrite ax, ay; ring).
-    assert (value_t : cross (along t) d2 == - (b * cross d2 d1)) by (unfold cross; rewrite bx, by_; ring).
-    destruct (Qlt_le_dec 0 (cross d2 d1)) as [up | down].
-    - assert (0 < b * cross d2 d1) by now apply Qmult_lt_0_compat. lra.
-    - assert (0 <= a * - cross d2 d1) by (apply Qmult_le_0_compat; lra). lra.
+    assert (one : forall d d', nonzero d -> (forall s, covers s x p q -> same_direction (along s) d \/
+      same_direction (along s) d') -> 0 < cross d' d \/ same_direction d' (opposite d)).
+    { intros d d' proper_d only_two. pose proof (square_positive d proper_d) as square.
+      destruct (segments_on_all_sides d proper_d) as [(s & covers_s & left_s) | [_ (s & covers_s & back)]];
+        destruct (only_two s covers_s) as [(a & some & X & Y) | (a & some & X & Y)].
+      - exfalso. unfold cross in left_s. rewrite X, Y in left_s. lra.
+      - left. assert (value : cross (along s) d == a * cross d' d) by (unfold cross; rewrite X, Y; ring). nra.
+      - exfalso. destruct back as (b & some_b & X' & Y'). unfold opposite, dot in *; cbn [vx vy] in *.
+        assert (0 < (a + b) * (vx d * vx d + vy d * vy d)) by (apply Qmult_lt_0_compat; lra).
+        assert ((a + b) * vx d == 0) by lra. assert ((a + b) * vy d == 0) by lra. nra.
+      - right. apply (same_direction_transitive _ (along s)); [| exact back].
+        apply same_direction_symmetric. now exists a. }
+    destruct (one d1 d2 proper_1 only) as [left_2 |]; [| assumption].
+    destruct (one d2 d1 proper_2) as [left_1 | (a & some & X & Y)];
+      [intros s covers_s; destruct (only s covers_s); auto | |].
+    - exfalso. unfold cross in *. lra.
+    - exists (/ a). split; [now apply Qinv_lt_0_compat |]. unfold opposite in *; cbn [vx vy] in *. rewrite X, Y.
+      split; field; lra.
   Qed.
 End IsolatedVertex.
 

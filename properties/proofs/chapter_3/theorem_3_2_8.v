@@ -73,7 +73,8 @@ Proof.
   assert (not_along : forall e, nonzero (along e) -> cross (along e) D == 0 -> ~ cross (along e) n == 0).
   { intros e long parallel flat. apply long. assert (turn : ~ cross D n == 0) by lra.
     split; apply (Qmult_inj_l _ _ _ turn); in_coordinates; by_equations. }
-  destruct (segments_beside_the_open_sum p q x n) as (d & found & left_d & (e & w & u & is_d & on & x_is & passes)); trivial.
+  destruct (segments_beside_the_open_sum p q x n)
+    as (d & found & left_d & (e & w & u & is_d & on & x_is & passes)); trivial.
   - intros e w u I on no_vertex in_q x_is. apply not_along.
     + now apply (region_edges_are_directions p (proj1 p_region)).
     + now apply (passing_is_parallel p q x D e w u).

@@ -69,6 +69,9 @@ Proof.
   refine (inside_equal _ _ _ _ in_p). unfold minus. split; cbn [vx vy]; ring.
 Qed.
 
+Lemma sum_in_other_order (x w u : vector) : equal_vectors x (plus w u) -> equal_vectors x (plus u w).
+Proof. intros [X Y]. unfold plus in *; cbn [vx vy] in *. split; cbn [vx vy]; lra. Qed.
+
 (* Of points that add up to x, both are on boundaries, or the interiors meet. *)
 Lemma both_on_boundaries_or_meet (p q : region) (x w u : vector) :
   valid_region p -> valid_region q -> in_region w p -> in_region u q -> equal_vectors x (plus w u) ->
@@ -80,8 +83,7 @@ Proof.
   { intros v r [round | (s & S & on)] free; [now split | exfalso; exact (free s S on)]. }
   destruct (on_or_off w (region_edges p)) as [on_p | off_p]; [destruct (on_or_off u (region_edges q)) as [| off_q] |];
     [now left | right; apply interiors_meet_other_way | right].
-  - apply (inner_point_and_point q p x u w); auto using regions_are_regular. destruct sum_ as [X Y].
-    unfold plus in *; cbn [vx vy] in *. split; cbn [vx vy]; lra.
+  - apply (inner_point_and_point q p x u w); auto using regions_are_regular, sum_in_other_order.
   - apply (inner_point_and_point p q x w u); auto using regions_are_regular.
 Qed.
 

@@ -42,7 +42,7 @@ Section Corners.
 
   Definition vertices_at : Z := sum_of (fun v => Z.b2z (same_place w (fst v))) (region_vertices r).
 
-  Lemma corner_at (v : vector) (c : corner) : In (v, c) (region_vertices r) -> equal_vectors w v ->
+  Lemma sides_at_a_corner (v : vector) (c : corner) : In (v, c) (region_vertices r) -> equal_vectors w v ->
     cross e (incoming c) < 0 /\ 0 < cross e (outgoing c).
   Proof.
     intros I equal. destruct (edges_of_vertex v c r I) as ((s & S & s_end & <-) & (t & T & t_start & <-)). split.
@@ -62,7 +62,7 @@ Section Corners.
        - (Z.b2z (positive (cross e (outgoing (snd v)))) * Z.b2z (positive (cross y (outgoing (snd v)))))))%Z
       (region_vertices r)); [| rewrite counted]; apply sum_equally.
     - intros [v c] I. cbn [fst snd]. destruct (same_place_spec w v) as [equal |]; [| reflexivity].
-      destruct (corner_at v c I equal). destruct (positive_spec (cross e (incoming c))); [exfalso; lra |].
+      destruct (sides_at_a_corner v c I equal). destruct (positive_spec (cross e (incoming c))); [exfalso; lra |].
       destruct (positive_spec (cross e (outgoing c))); [| contradiction]. cbn [Z.b2z]. lia.
     - intros s I. destruct (one_side s I) as [ahead behind].
       destruct (departs w s), (arrives w s); try specialize (ahead eq_refl); try specialize (behind eq_refl);
@@ -94,7 +94,7 @@ Section Corners.
         [specialize (ahead there) | specialize (behind there)]; lra. }
     refine (eventually_implied _ _ _
       (small_steps_are_clear r w (opposite e) radius near (opposite_nonzero e long) clear_back)).
-    intros k (clear_z & proper_z & left_z). set (z := scaled k (opposite e)) in *.
+    intros k (clear_z & proper_z & left_z). set (z := scaled_by k (opposite e)) in *.
     destruct (inside_or_nothing_there r w z _ radius r_region near clear_z proper_z) as [| nothing_there];
       [now left | right].
     destruct (one_or_all (exists v c, In (v, c) (region_vertices r) /\ equal_vectors w v /\
@@ -103,7 +103,7 @@ Section Corners.
       as [(v & c & I & equal & left_) | reflex].
     { intros [v c] I. cbn [fst snd]. destruct (same_place_spec w v) as [equal | away]; [| right; contradiction].
       destruct (Qlt_le_dec (cross (incoming c) (outgoing c)) 0) as [| left_]; [now right | left; now exists v, c]. }
-    - destruct (corner_at v c I equal) as [right_in left_out].
+    - destruct (sides_at_a_corner v c I equal) as [right_in left_out].
       apply in_flat_map in I. destruct I as (chain & J & I). apply (In_nth _ _ (nowhere, Corner nowhere nowhere)) in I.
       destruct I as (i & below & v_is). rewrite combine_length, corners_length in below.
       rewrite combine_nth in v_is by (symmetry; apply corners_length). injection v_is as v_is c_is.
@@ -116,7 +116,7 @@ Section Corners.
       destruct (inner_direction r w z radius r_region (proj1 near) proper_z on_boundary)
         as (y & near_y & _ & aside & general_y & round).
       assert (proper_y : nonzero y) by (intros [X Y]; apply aside; unfold cross; rewrite X, Y; ring).
-      assert (sums : total r w OfP z (opposite (opposite e)) = total r w OfP y (opposite y)).
+      assert (sums : total_around r w OfP z (opposite (opposite e)) = total_around r w OfP y (opposite y)).
       { apply (same_in_all_directions r w OfP radius not_points near); trivial. split; [exact near_y |].
         split; [now apply general_directions_are_clear |]. split; [now apply opposite_nonzero |].
         apply same_direction_reflexive. }
@@ -140,6 +140,6 @@ Section Corners.
         destruct c as [f g]. cbn [incoming outgoing] in *.
         rewrite (reflex_and_tangent (opposite y) f g); [discriminate | exact right_ |].
         unfold cross, opposite in *; cbn [vx vy]. lra. }
-      unfold total in sums. lia.
+      unfold total_around in sums. lia.
   Qed.
 End Corners.

@@ -13,9 +13,6 @@ Import ListNotations.
 
 Open Scope Q_scope.
 
-Lemma sum_in_other_order (x w u : vector) : equal_vectors x (plus w u) -> equal_vectors x (plus u w).
-Proof. intros [X Y]. unfold plus in *; cbn [vx vy] in *. split; cbn [vx vy]; lra. Qed.
-
 Lemma comes_from_behind (w : vector) (s : segment) : arrives w s = true ->
   eventually (fun t => lies_on (moved_along w (opposite (along s)) t) s).
 Proof.
@@ -137,16 +134,15 @@ Theorem covered_in_its_own_direction (p q : region) (x w u : vector) (s : segmen
   exists t, In t (convolution_segments p q) /\ lies_on x t /\ same_direction (along t) (along s).
 Proof.
   intros p_region q_region outside sum_ inside_a_segment.
-  assert (vertex_in : forall v r, is_vertex v r -> in_region v r).
-  { intros v r (e & E & equal). right. exists e. split; [exact E |].
-    apply (lies_on_equal (source e)); [now symmetry | apply source_lies_on]. }
   assert (covered : nonzero (along s) -> (exists a b, In a p /\ In b q /\ on_a_tie a b (along s) x) \/
     reduced_along p q x (along s) -> covered_along p q x (along s)).
   { intros long [(a & b & A & B & tie) | reduced]; [now apply (tie_is_covered p q x p_region q_region a b) |].
     now apply reduced_along_is_covered. }
   destruct inside_a_segment as [(S & on & no_vertex & vertex) | (S & on & no_vertex & vertex)]; apply covered.
   - now apply (region_edges_are_directions p (proj1 p_region)).
-  - apply (edge_of_p_passes p q x w u); auto; [now apply (passes_both_ways p w s) | now apply fills_left_beside_an_edge].
+  - apply (edge_of_p_passes p q x w u); auto using vertex_is_in_region, fills_left_beside_an_edge.
+    now apply (passes_both_ways p w s).
   - now apply (region_edges_are_directions q (proj1 q_region)).
-  - apply (edge_of_q_passes p q x w u); auto; [now apply (passes_both_ways q u s) | now apply fills_left_beside_an_edge].
+  - apply (edge_of_q_passes p q x w u); auto using vertex_is_in_region, fills_left_beside_an_edge.
+    now apply (passes_both_ways q u s).
 Qed.

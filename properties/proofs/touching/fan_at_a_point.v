@@ -153,11 +153,11 @@ Section AtThePoint.
   Definition clear_step (a d : vector) : Prop :=
     within radius w (plus w a) /\ clear_direction w a r /\ nonzero d /\ same_direction d (opposite a).
 
-  Definition total (a d : vector) : Z :=
+  Definition total_around (a d : vector) : Z :=
     (tangents_at w (Direction d label) r + departures_left_of w a r + winding_number (plus w a) (region_edges r))%Z.
 
   Lemma same_to_the_left (a b da db : vector) : 0 < cross a b -> clear_step a da -> clear_step b db ->
-    total a da = total b db.
+    total_around a da = total_around b db.
   Proof.
     intros turn (near_a & clear_a & proper_da & a_back) (near_b & clear_b & proper_db & b_back).
     assert (proper_a : nonzero a) by (intros [X Y]; unfold cross in turn; rewrite X, Y in turn; lra).
@@ -182,7 +182,7 @@ Section AtThePoint.
         sum_of (fun s => Z.b2z (departs w s) * Z.b2z (is_amid a b (along s)) -
                          Z.b2z (arrives w s) * Z.b2z (is_amid a b (opposite (along s))))%Z (region_edges r) =
         sum_of (fun s => (Z.b2z (arrives w s) - Z.b2z (departs w s)) * wraps da db)%Z (region_edges r))%Z)
-      by (unfold total; lia).
+      by (unfold total_around; lia).
     unfold departures_left_of. rewrite <- sum_plus, <- !sum_minus. apply sum_equally. intros s I.
     destruct (lies_on_dec w s) as [on | free].
     2: { unfold departs, arrives, comes_by. destruct (lies_on_dec w s); [contradiction | reflexivity]. }
@@ -200,7 +200,7 @@ Section AtThePoint.
 
   (* Theorem. The sum of the three numbers is the same in all directions. *)
   Theorem same_in_all_directions (a b da db : vector) : ~ cross a b == 0 -> clear_step a da -> clear_step b db ->
-    total a da = total b db.
+    total_around a da = total_around b db.
   Proof.
     intros aside clear_a clear_b.
     destruct (Q_dec (cross a b) 0) as [[right_ | left_] | parallel]; [symmetry | | contradiction];
@@ -209,27 +209,27 @@ Section AtThePoint.
 End AtThePoint.
 
 (* Small steps in a direction. *)
-Definition scaled (k : Q) (v : vector) : vector := Vector (k * vx v) (k * vy v).
+Definition scaled_by (k : Q) (v : vector) : vector := Vector (k * vx v) (k * vy v).
 
 Lemma small_steps_are_clear (r : region) (w b : vector) (radius : Q) :
   nothing_else_near w radius r -> nonzero b -> clear_direction w b r ->
-  eventually (fun k => clear_step r w radius (scaled k b) (opposite b) /\ nonzero (scaled k b) /\
-    departures_left_of w (scaled k b) r = departures_left_of w b r).
+  eventually (fun k => clear_step r w radius (scaled_by k b) (opposite b) /\ nonzero (scaled_by k b) /\
+    departures_left_of w (scaled_by k b) r = departures_left_of w b r).
 Proof.
   intros [R _] long clear_b. refine (eventually_implied _ _ _ (eventually_and _ _ (eventually_below 1 ltac:(lra))
     (small_steps_stay_within radius w b R))).
-  intros k [[some _] near_k]. assert (value : forall v, cross (scaled k b) v == k * cross b v)
-    by (intros; unfold cross, scaled; cbn [vx vy]; ring).
+  intros k [[some _] near_k]. assert (value : forall v, cross (scaled_by k b) v == k * cross b v)
+    by (intros; unfold cross, scaled_by; cbn [vx vy]; ring).
   assert (ratio : / k * k == 1) by (field; lra). pose proof (Qinv_lt_0_compat k some) as some'. split; [| split].
   - split; [exact near_k |]. split; [| split; [now apply opposite_nonzero |]].
     + intros s I on. destruct (clear_b s I on) as [differ aside]. split.
-      * intros (m & m_some & X & Y). apply differ. exists (m * k). unfold scaled, opposite in *; cbn [vx vy] in *.
+      * intros (m & m_some & X & Y). apply differ. exists (m * k). unfold scaled_by, opposite in *; cbn [vx vy] in *.
         rewrite X, Y. split; [now apply Qmult_lt_0_compat | split; ring].
       * intros departing flat. apply (aside departing), (Qmult_inj_r _ _ k); [lra |]. rewrite value in flat. lra.
-    + exists (/ k). unfold opposite, scaled; cbn [vx vy]. split; [exact some' |]. split; field; lra.
-  - intros [X Y]. unfold scaled in X, Y; cbn [vx vy] in X, Y. apply long. split; apply (Qmult_inj_r _ _ k); lra.
+    + exists (/ k). unfold opposite, scaled_by; cbn [vx vy]. split; [exact some' |]. split; field; lra.
+  - intros [X Y]. unfold scaled_by in X, Y; cbn [vx vy] in X, Y. apply long. split; apply (Qmult_inj_r _ _ k); lra.
   - apply sum_equally. intros s _. f_equal. f_equal.
-    destruct (positive_spec (cross (scaled k b) (along s))) as [left_ | none], (positive_spec (cross b (along s)));
+    destruct (positive_spec (cross (scaled_by k b) (along s))) as [left_ | none], (positive_spec (cross b (along s)));
       trivial; exfalso; rewrite value in *; [nra |]. apply none. now apply Qmult_lt_0_compat.
 Qed.
 
@@ -294,7 +294,7 @@ Theorem more_than_half_depart_to_the_left (r : region) (w b : vector) (label : s
 Proof.
   intros r_region long clear_b no_tangent on_boundary. destruct (some_square w r) as (radius & near).
   refine (eventually_implied _ _ _ (small_steps_are_clear r w b radius near long clear_b)).
-  intros k (clear_z & proper_z & <-). pose proof (proj1 r_region) as not_points. set (z := scaled k b) in *.
+  intros k (clear_z & proper_z & <-). pose proof (proj1 r_region) as not_points. set (z := scaled_by k b) in *.
   destruct (inside_or_nothing_there r w z _ radius r_region near clear_z proper_z) as [| nothing_there];
     [now left | right].
   destruct (inner_direction r w z radius r_region (proj1 near) proper_z on_boundary)
@@ -303,10 +303,10 @@ Proof.
   assert (turned_ : forall v, cross (opposite y) v == - cross y v /\ cross v (opposite y) == - cross v y)
     by (intros; unfold cross, opposite; cbn [vx vy]; split; ring).
   assert (itself : forall v, same_direction v v) by (intros v; exists 1; split; [lra | split; ring]).
-  assert (ahead : total r w label z (opposite b) = total r w label y (opposite y)).
+  assert (ahead : total_around r w label z (opposite b) = total_around r w label y (opposite y)).
   { apply (same_in_all_directions r w label radius not_points near); trivial. split; [exact near_y |].
     split; [now apply general_directions_are_clear |]. split; [now apply opposite_nonzero | apply itself]. }
-  assert (behind : total r w label z (opposite b) = total r w label (opposite y) y).
+  assert (behind : total_around r w label z (opposite b) = total_around r w label (opposite y) y).
   { apply (same_in_all_directions r w label radius not_points near); trivial.
     - destruct (turned_ z) as [_ value]. rewrite value. lra.
     - split; [exact near_back |]. split; [| split; [exact proper_y | rewrite opposite_twice; apply itself]].
@@ -322,5 +322,6 @@ Proof.
   { intros d'. apply sum_is_not_negative. intros v _. unfold if_tangent.
     destruct (same_place w (fst v)), (in_tangent_set d' (snd v)); discriminate. }
   pose proof (tangents (Direction y label)). pose proof (tangents (Direction (opposite y) label)).
-  pose proof (nowhere_negative_everywhere r (proj1 (proj2 r_region)) (plus w (opposite y))). unfold total in *. lia.
+  pose proof (nowhere_negative_everywhere r (proj1 (proj2 r_region)) (plus w (opposite y))).
+  unfold total_around in *. lia.
 Qed.

@@ -253,8 +253,6 @@ Theorem common_point_off_the_convolution (p q : region) (x : vector) :
   valid_region p -> valid_region q -> off x (convolution_segments p q) -> in_sum x p q -> interiors_meet x p q.
 Proof.
   intros p_region q_region free (w & u & in_p & in_q & sum_).
-  assert (swapped : equal_vectors x (plus u w))
-    by (destruct sum_ as [X Y]; unfold plus in *; cbn [vx vy] in *; split; cbn [vx vy]; lra).
   destruct (both_on_boundaries_or_meet p q x w u) as [[on_p on_q] |]; trivial.
   assert (not_covered : forall d, ~ covered_along p q x d) by (intros d (s & S & on & _); exact (free s S on)).
   assert (no_common : forall e f, In e (region_edges p) -> In f (region_edges q) -> lies_on w e -> lies_on u f ->
@@ -275,7 +273,8 @@ Proof.
     (departures u q < 2 * departures_left_of u (opposite (along e)) q)%Z) (region_edges p)) as [| right_of_p]; trivial.
   { intros e E. destruct (departs w e) eqn:e_departs; [| right; discriminate].
     pose proof (proj1 (proj1 (departs_is w e) e_departs)) as on_e.
-    destruct (half_beside_an_edge q p x u w e OfP q_region p_region swapped on_q E e_departs) as [meet |]; auto.
+    destruct (half_beside_an_edge q p x u w e OfP q_region p_region (sum_in_other_order _ _ _ sum_) on_q E e_departs)
+      as [meet |]; auto.
     - intros f F on_f same_. now apply (no_common e f), same_direction_symmetric.
     - destruct (tangent_vertex_or_none q u (Direction (along e) OfP)) as [(b & j & B & J & at_vertex & tangent) |];
         trivial.

@@ -3,10 +3,16 @@
    at a vertex that no other edge touches, if it is not convex. A half square to the left of the edge meets no edge
    there; beside the edge it is inside by left_of_an_edge.v, so all of it is. *)
 From Coq Require Import ZArith Lia Bool List.
-From Oplus Require Import numbers regions_and_sums.
+From Oplus Require Import numbers regions_and_sums edges_at_a_point.
 Import ListNotations.
 
 Open Scope Q_scope.
+
+Lemma vertex_is_in_region (v : vector) (r : region) : is_vertex v r -> in_region v r.
+Proof.
+  intros (s & I & at_source). right. exists s. split; [exact I |].
+  apply (lies_on_equal (source s)); [now symmetry | apply source_lies_on].
+Qed.
 
 (* f_in ends where f_out begins, and no other edge comes there. *)
 Definition meet_in_vertex (f_in f_out : segment) (r : region) : Prop :=
@@ -54,32 +60,21 @@ Proof.
   apply (fills_left_where_free r s w radius); trivial. intros z close left_. apply near; [exact close | lra].
 Qed.
 
-(* Near the vertex, only its two edges are near. *)
-Lemma only_its_edges_near (f_in f_out : segment) (r : region) : meet_in_vertex f_in f_out r ->
-  exists radius, 0 < radius /\ forall y, within radius (source f_out) y ->
-    ~ lies_on y f_in -> ~ lies_on y f_out -> off y (region_edges r).
-Proof.
-  intros (_ & _ & _ & alone).
-  destruct (off_near (source f_out)
-    (filter (fun t => if lies_on_dec (source f_out) t then false else true) (region_edges r)))
-    as (radius & R & near).
-  { intros t I. apply filter_In in I. now destruct I, (lies_on_dec (source f_out) t). }
-  exists radius. split; [exact R |]. intros y close not_in not_out t I.
-  destruct (lies_on_dec (source f_out) t) as [on | away] eqn:decided.
-  - destruct (alone t I on) as [-> | ->]; assumption.
-  - apply near; [exact close |]. apply filter_In. now rewrite decided.
-Qed.
-
 Theorem fills_left_at_a_vertex (r : region) (f_in f_out : segment) :
   valid_region r -> meet_in_vertex f_in f_out r -> cross (along f_in) (along f_out) <= 0 ->
   fills_left (source f_out) (along f_in) r /\ fills_left (source f_out) (along f_out) r.
 Proof.
-  intros r_valid vertex not_convex. pose proof vertex as (I & J & [tx ty] & _).
-  destruct (only_its_edges_near f_in f_out r vertex) as (radius & R & near).
+  intros r_valid (I & J & [tx ty] & alone) not_convex.
+  destruct (some_square (source f_out) r) as (radius & R & near).
+  assert (free : forall z, within radius (source f_out) z -> ~ lies_on z f_in -> ~ lies_on z f_out ->
+    off z (region_edges r)).
+  { intros z close off_in off_out t T. destruct (near t) as [on | away]; [| | now apply away].
+    - apply in_flat_map. exists t. split; [exact T | now left].
+    - destruct (alone t T on) as [-> | ->]; assumption. }
   assert (on_in : lies_on (source f_out) f_in)
     by (apply (lies_on_equal (target f_in)); [now split | apply target_lies_on]).
   pose proof (source_lies_on f_out) as on_out. split; apply (fills_left_where_free r _ _ radius); trivial;
-    intros z close left_; apply near; trivial; try (apply off_by_area; lra); intros (k & [k0 k1] & X & Y).
+    intros z close left_; apply free; trivial; try (apply off_by_area; lra); intros (k & [k0 k1] & X & Y).
   - assert (value : area f_in z == k * cross (along f_in) (along f_out)) by (in_coordinates; by_equations). nra.
   - assert (value : area f_out z == (1 - k) * cross (along f_in) (along f_out)) by (in_coordinates; by_equations). nra.
 Qed.
