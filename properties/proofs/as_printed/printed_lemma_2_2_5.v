@@ -1,14 +1,17 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Lemma 2.2.5 as printed: if a point inside an edge of P and a point inside an edge of Q add up to a boundary point
-   of the sum, their tangent sets are equal. The points are no vertices, also of no other chain. By Definition 2.1.13
-   the tangent set of a point inside an edge has the edge's direction and no other, so the edges have the same
-   direction, which is proved in lemma_2_2_5.v. *)
+   of the sum, their tangent sets are equal. The points are no ends of their edges; other chains may have
+   vertices there. By Definition 2.1.13 the tangent set of a point inside an edge has the edge's direction and no other,
+   so the edges have the same direction, which is proved in lemma_2_2_5.v. *)
 From Coq Require Import Lqa Qfield List.
 From Oplus Require Import convolution regions left_of_an_edge winding_number_of_the_sum theorem_4_2_1 theorem_2_2_10
   lemma_2_2_5 theorem_3_2_8 small_polygons drawn_regions drawn_sums.
 Import ListNotations.
 
 Open Scope Q_scope.
+
+Definition strictly_inside (w : vector) (e : segment) : Prop :=
+  lies_on w e /\ ~ equal_vectors w (source e) /\ ~ equal_vectors w (target e).
 
 (* d is in the tangent set of the points inside the edge e. *)
 Definition in_tangent_set_inside (e : segment) (d : vector) : Prop := same_direction d (along e).
@@ -24,13 +27,12 @@ Qed.
 (* Theorem, Lemma 2.2.5. *)
 Theorem lemma_2_2_5_as_printed (p q : region) (e f : segment) (w u : vector) :
   valid_region p -> valid_region q ->
-  In e (region_edges p) -> lies_on w e -> ~ is_vertex w p ->
-  In f (region_edges q) -> lies_on u f -> ~ is_vertex u q ->
+  In e (region_edges p) -> strictly_inside w e -> In f (region_edges q) -> strictly_inside u f ->
   on_boundary_of_sum (plus w u) p q ->
   forall d, in_tangent_set_inside e d <-> in_tangent_set_inside f d.
 Proof.
-  intros p_region q_region E on_e inside_e F on_f inside_f boundary.
-  destruct (points_inside_edges p q e f w u) as [parallel ahead_]; trivial.
+  intros p_region q_region E (on_e & not_first & not_last) F (on_f & not_first' & not_last') boundary.
+  destruct (points_strictly_inside_edges p q e f w u) as [parallel ahead_]; trivial.
   apply equal_tangent_sets_inside, parallel_and_ahead.
   - apply (region_edges_are_directions q); [apply q_region | exact F].
   - exact parallel.
@@ -46,10 +48,8 @@ Proof.
   - apply drawn_regions.
   - apply square_is_a_region.
   - now left.
-  - apply on_edge_by_computation. vm_compute. reflexivity.
-  - apply no_vertex_by_computation. vm_compute. reflexivity.
+  - split; [apply on_edge_by_computation; vm_compute; reflexivity | split; intros [X _]; discriminate X].
   - now left.
-  - apply on_edge_by_computation. vm_compute. reflexivity.
-  - apply no_vertex_by_computation. vm_compute. reflexivity.
+  - split; [apply on_edge_by_computation; vm_compute; reflexivity | split; intros [X _]; discriminate X].
   - change (plus (Vector 1 0) (Vector 1 0)) with (Vector 2 0). apply lower_side_of_the_sum. lra.
 Qed.

@@ -1,8 +1,8 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Section 5.1 as printed: the collision test decides whether two simple polygons have a point of their interiors in
-   common; touching does not count. `collide` is the naive test with the cases of Section 5.1.1: edges that cross, or
-   a piece of an edge, between two contacts, that is inside the other polygon or along its boundary in the same
-   direction. The second theorem is the naive test as it is told in Section 5.1: where no vertex is on an edge,
+   common; touching does not count. `collide` is a naive test that also decides the cases of Section 5.1.1, if not by the
+   order of edges around a contact: edges that cross, or a piece of an edge, between two contacts, that is inside the
+   other polygon or along its boundary in the same direction. The second theorem is the naive test as it is told in Section 5.1: where no vertex is on an edge,
    interiors meet if and only if two edges cross, or a vertex of one is inside the other. Both are proved for all
    regions, in collision_is_complete.v and section_5_1.v. *)
 From Coq Require Import QArith List.

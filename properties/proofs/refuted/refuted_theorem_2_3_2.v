@@ -4,8 +4,8 @@
    the vertex (4, 3), which is reflex, P a triangle with a vertical side at its right: their sum is part of the right
    side of the sum, (6, 7/2) is one of its points. The proof in the thesis looks at the edges that encompass e, at
    points where chains touch; there these are the outer chain's, not the hole's. What holds is proved in
-   theorem_2_3_2.v: no other chain touches the vertex. So the reduced convolution covers the boundary if no chains of
-   P touch, and none of Q. *)
+   theorem_2_3_2.v: no other chain touches the vertex. What the title says, that the reduced convolution covers the
+   boundary, is true where chains touch, too. *)
 From Coq Require Import QArith Lqa List.
 From Oplus Require Import convolution regions left_of_an_edge theorem_4_2_1 theorem_2_2_10 valid_components
   inside_a_corner boundary_points reduced_convolution theorem_2_3_2 small_polygons polygons_of_the_thesis
@@ -46,7 +46,7 @@ Theorem theorem_2_3_2_as_corrected (p q : region) (e f_in f_out : segment) (w : 
 Proof. exact (edge_plus_reflex_vertex_is_not_on_the_boundary p q e f_in f_out w). Qed.
 
 (* And its title: the reduced convolution contains the boundary. *)
-Theorem title_of_theorem_2_3_2_as_corrected (p q : region) (x : vector) :
+Theorem title_of_theorem_2_3_2 (p q : region) (x : vector) :
   valid_region p -> valid_region q -> on_boundary_of_sum x p q -> on_reduced_convolution x p q.
 Proof. exact (boundary_is_part_of_the_reduced_convolution p q x). Qed.
 
@@ -68,6 +68,6 @@ Qed.
 
 Example the_wall_is_on_the_reduced_convolution : on_reduced_convolution (Vector 2 3) [room] [fitting_diamond].
 Proof.
-  apply title_of_theorem_2_3_2_as_corrected;
+  apply title_of_theorem_2_3_2;
     [apply simple_polygons_are_regions, drawn_polygons .. | exact wall_of_the_sum].
 Qed.
