@@ -3,7 +3,7 @@
    boundary point of the sum: it is among the finitely many points at which the line crosses the convolution, one before
    which the winding number is zero, and beyond which it is not. *)
 From Coq Require Import ZArith Lia Bool List.
-From Oplus Require Import convolution signed_crossings small_numbers tie_rule convolution_winding regions
+From Oplus Require Import numbers convolution signed_crossings small_numbers tie_rule convolution_winding regions
   winding_number_of_the_sum meeting_of_segments first_hit first_edge_of_a_ray neighbourhoods left_of_an_edge
   theorem_4_2_1 theorem_2_2_10.
 Import ListNotations.

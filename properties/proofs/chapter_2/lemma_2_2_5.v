@@ -1,44 +1,20 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Lemma 2.2.5: if the sum of a point inside an edge of P and a point inside an edge of Q is on the boundary of the
    sum, the edges have the same direction. Both points are no vertices: where chains touch, the lemma is false
-   for open regions (docs/findings.md). Otherwise the edge of Q would lead across the edge of P one way or back, or lie
-   along it in the opposite direction, and interiors would meet (edges_that_pass.v, boundary_points.v). *)
+   for open regions (docs/findings.md). Edges that are not parallel add up to a parallelogram around the point; where
+   edges lie along each other in opposite directions, interiors meet (fans_that_touch.v). *)
 From Coq Require Import ZArith Lia Bool List.
-From Oplus Require Import numbers regions_and_sums inside_a_corner boundary_points fans_that_touch edges_that_pass
-  theorem_2_2_10 lemma_2_2_2.
+From Oplus Require Import numbers regions_and_sums edges_at_a_point fans_that_touch edges_that_pass theorem_2_2_10
+  lemma_2_2_2.
 Import ListNotations.
 
 Open Scope Q_scope.
 
-(* Theorem, Lemma 2.2.5. *)
-Theorem points_inside_edges (p q : region) (e f : segment) (w u : vector) :
-  valid_region p -> valid_region q ->
-  In e (region_edges p) -> lies_on w e -> ~ is_vertex w p ->
-  In f (region_edges q) -> lies_on u f -> ~ is_vertex u q ->
-  on_boundary_of_sum (plus w u) p q ->
-  cross (along e) (along f) == 0 /\ 0 < dot (along e) (along f).
-Proof.
-  intros p_region q_region I on_e w_free J on_f u_free boundary.
-  pose proof (region_edges_are_directions p (proj1 p_region) e I) as long_e.
-  pose proof (region_edges_are_directions q (proj1 q_region) f J) as long_f.
-  pose proof (fills_left_beside_an_edge p e w p_region I on_e w_free) as fills.
-  assert (sum_ : equal_vectors (plus w u) (plus w u)) by (split; reflexivity).
-  assert (outside : ~ interiors_meet (plus w u) p q).
-  { intros meet. apply (inner_points_are_not_on_the_boundary p q (plus w u)); [| exact boundary].
-    now apply interiors_meet_means_inner_point. }
-  destruct (passes_both_ways q u f J on_f u_free) as [departing_ arriving].
-  destruct (sides_of_edges p q (plus w u) w u (along e) f q_region outside sum_ fills J) as [ahead behind].
-  specialize (ahead departing_). specialize (behind arriving).
-  assert (parallel : cross (along e) (along f) == 0) by lra. split; [exact parallel |].
-  destruct (parallel_directions _ _ long_e long_f parallel) as [(m & some & X & Y) | back].
-  - pose proof (square_positive _ long_f) as square. unfold dot in *. rewrite X, Y. nra.
-  - exfalso. now apply outside, (opposite_edge_meets p q _ w u (along e) f).
-Qed.
-
 (* Near a point, all points are reached along two directions that are not parallel, by small steps. *)
 Lemma reached_along_two (E F : vector) (m : Q) (x : vector) : 0 < m -> ~ cross E F == 0 ->
   exists radius, 0 < radius /\ forall y, within radius x y ->
-    exists a b, - m < a < m /\ - m < b < m /\ equal_vectors y (plus x (Vector (a * vx E + b * vx F) (a * vy E + b * vy F))).
+    exists a b, - m < a < m /\ - m < b < m /\
+      equal_vectors y (plus x (Vector (a * vx E + b * vx F) (a * vy E + b * vy F))).
 Proof.
   intros some turn. set (D := cross E F) in *.
   set (K := 1 + (Qabs (vx E) + Qabs (vy E) + Qabs (vx F) + Qabs (vy F))).
@@ -64,21 +40,11 @@ Qed.
 (* Theorem, Lemma 2.2.5, where other chains may have vertices at these points. *)
 Theorem points_strictly_inside_edges (p q : region) (e f : segment) (w u : vector) :
   valid_region p -> valid_region q ->
-  In e (region_edges p) -> lies_on w e -> ~ equal_vectors w (source e) -> ~ equal_vectors w (target e) ->
-  In f (region_edges q) -> lies_on u f -> ~ equal_vectors u (source f) -> ~ equal_vectors u (target f) ->
+  In e (region_edges p) -> strictly_inside w e -> In f (region_edges q) -> strictly_inside u f ->
   on_boundary_of_sum (plus w u) p q ->
   cross (along e) (along f) == 0 /\ 0 < dot (along e) (along f).
 Proof.
-  intros p_region q_region I (k & k_range & wx & wy) not_first not_last J (l & l_range & ux & uy) not_first' not_last'
-    boundary.
-  assert (inside_ : forall s v t, 0 <= t <= 1 -> vx v == (1 - t) * vx (source s) + t * vx (target s) ->
-    vy v == (1 - t) * vy (source s) + t * vy (target s) -> ~ equal_vectors v (source s) ->
-    ~ equal_vectors v (target s) -> 0 < t < 1).
-  { intros s v t range X Y first_ last_. split; apply Qnot_le_lt; intros at_end.
-    - apply first_. assert (t_is : t == 0) by lra. rewrite t_is in X, Y. split; lra.
-    - apply last_. assert (t_is : t == 1) by lra. rewrite t_is in X, Y. split; lra. }
-  pose proof (inside_ e w k k_range wx wy not_first not_last) as [k0 k1].
-  pose proof (inside_ f u l l_range ux uy not_first' not_last') as [l0 l1]. clear inside_.
+  intros p_region q_region I (k & [k0 k1] & wx & wy) J (l & [l0 l1] & ux & uy) boundary.
   set (m := Qmin (Qmin k (1 - k)) (Qmin l (1 - l))).
   assert (some : 0 < m) by (repeat apply Q.min_glb_lt; lra).
   assert (small : m <= k /\ m <= 1 - k /\ m <= l /\ m <= 1 - l).
@@ -100,35 +66,28 @@ Proof.
        split; [right; exists e; auto |]. split; [right; exists f; auto |].
        unfold plus, moved_along in *; cbn [vx vy] in *. split; cbn [vx vy]; lra. }
   split; [exact parallel |].
-  destruct (Qlt_le_dec 0 (dot (along e) (along f))) as [| back]; [assumption | exfalso].
   pose proof (region_edges_are_directions p (proj1 p_region) e I) as long.
   pose proof (region_edges_are_directions q (proj1 q_region) f J) as long_f.
-  pose proof (square_positive _ long) as square. pose proof (square_positive _ long_f) as square_f.
-  set (E := along e) in *. set (F := along f) in *.
-  (* along e by t, and back along f *)
-  set (c := - dot E F / dot F F).
-  assert (c_dot : c * dot F F == - dot E F) by (unfold c; field; lra).
-  assert (not_ahead : 0 <= c) by (unfold c; apply Qle_shift_div_l; lra).
-  assert (E_is : vx E == - (c * vx F) /\ vy E == - (c * vy F)).
-  { split; apply (Qmult_inj_l _ _ (dot F F)); try lra.
-    - transitivity (dot E F * vx F + cross E F * vy F); [unfold cross, dot; ring |]. rewrite parallel.
-      transitivity (- (c * dot F F) * vx F); [rewrite c_dot; ring | ring].
-    - transitivity (dot E F * vy F - cross E F * vx F); [unfold cross, dot; ring |]. rewrite parallel.
-      transitivity (- (c * dot F F) * vy F); [rewrite c_dot; ring | ring]. }
-  clearbody c. destruct E_is as [Ex Ey].
-  assert (limit : 0 < m / (1 + c)) by (apply Qlt_shift_div_l; lra).
-  destruct (some_small _ (eventually_and _ _ (eventually_below _ limit) (eventually_and _ _
-    (leaves_all_vertices p w E long) (leaves_all_vertices q u (opposite E) (opposite_nonzero E long)))))
-    as (t & t0 & (_ & t1) & free_w & free_u).
-  assert (steps : t * (1 + c) < m).
-  { assert (value : m / (1 + c) * (1 + c) == m) by (field; lra). nra. }
-  assert (0 <= t * c) by (apply Qmult_le_0_compat; lra).
-  assert (on_f' : lies_on (moved_along u (opposite E) t) f).
-  { apply (lies_on_equal (moved_along u F (t * c))); [| apply on_f; lra].
-    unfold moved_along, opposite; cbn [vx vy]. split; cbn [vx vy]; [rewrite Ex | rewrite Ey]; ring. }
-  destruct (points_inside_edges p q e f _ _ p_region q_region I (on_e t ltac:(lra)) free_w J on_f' free_u)
-    as [_ ahead_]; [| fold E F in ahead_; lra].
-  intros radius R. destruct (boundary radius R) as ((y & near_y & in_y) & (z & near_z & out_z)).
-  split; [exists y | exists z]; (split; [| assumption]);
-    unfold within, plus, moved_along, opposite in *; cbn [vx vy] in *; lra.
+  destruct (parallel_directions _ _ long long_f parallel) as [(c & c_some & X & Y) | back].
+  - pose proof (square_positive _ long_f) as square. unfold dot in *. rewrite X, Y. nra.
+  - exfalso. apply (inner_points_are_not_on_the_boundary p q (plus w u)); [| exact boundary].
+    assert (departing : forall s v k, nonzero (along s) -> 0 <= k < 1 ->
+      vx v == (1 - k) * vx (source s) + k * vx (target s) -> vy v == (1 - k) * vy (source s) + k * vy (target s) ->
+      departs v s = true).
+    { intros s v j proper range X Y. apply departs_is. split; [exists j; split; [lra | now split] |].
+      intros [X' Y']. apply proper. unfold along, minus. split; cbn [vx vy]; apply (Qmult_inj_l _ _ (1 - j)); lra. }
+    apply interiors_meet_means_inner_point, (opposite_edges_meet p q _ w u e f); trivial;
+      [split; reflexivity | now apply (departing e w k) | now apply (departing f u l)].
+Qed.
+
+(* Theorem, Lemma 2.2.5. *)
+Theorem points_inside_edges (p q : region) (e f : segment) (w u : vector) :
+  valid_region p -> valid_region q ->
+  In e (region_edges p) -> lies_on w e -> ~ is_vertex w p ->
+  In f (region_edges q) -> lies_on u f -> ~ is_vertex u q ->
+  on_boundary_of_sum (plus w u) p q ->
+  cross (along e) (along f) == 0 /\ 0 < dot (along e) (along f).
+Proof.
+  intros p_region q_region I on_e w_free J on_f u_free boundary.
+  apply (points_strictly_inside_edges p q e f w u); trivial; now apply inside_an_edge with (1 := I) || now apply inside_an_edge with (1 := J).
 Qed.

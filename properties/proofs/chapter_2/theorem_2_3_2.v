@@ -3,7 +3,7 @@
    for the sums of vertices of P. No other chain of Q touches the vertex: without this the theorem is false
    (docs/findings.md). To the left of each edge of a reflex vertex all is inside (inside_a_corner.v). *)
 From Coq Require Import ZArith Lia Bool List.
-From Oplus Require Import regions_and_sums first_edge_of_a_ray theorem_2_2_6 theorem_2_2_10 observation_2_2_4
+From Oplus Require Import numbers regions_and_sums first_edge_of_a_ray theorem_2_2_6 theorem_2_2_10 observation_2_2_4
   lemma_2_2_9 lemma_2_2_5 inside_a_corner lemma_2_2_2 boundary_points boundary_between reduced_convolution
   edges_at_a_point fan_at_a_point fans_that_touch edges_that_pass reduced_edges_that_pass.
 Import ListNotations.
@@ -60,8 +60,8 @@ Qed.
 
 (* Theorem 2.3.2, second part: the boundary of the sum is part of the reduced convolution (Definition 2.3.1), where
    chains touch, too. A boundary point of the sum is a sum, but not one with inner points of P and -Q + x in common, so
-   this is reduced_edges_that_pass.v, but for sums of two vertices. Of these there are finitely many, and near each
-   boundary point are others (boundary_between.v). *)
+   this is reduced_edges_that_pass.v, but for sums of two vertices. Of these there are finitely many, and on a line that
+   passes none of them is a boundary point near x (boundary_between.v). *)
 Theorem boundary_is_part_of_the_reduced_convolution (p q : region) (x : vector) :
   valid_region p -> valid_region q -> on_boundary_of_sum x p q -> on_reduced_convolution x p q.
 Proof.
@@ -69,27 +69,7 @@ Proof.
   pose proof p_region as (p_edges & p_valid & p_meet). pose proof q_region as (q_edges & q_valid & q_meet).
   destruct (on_or_off x (reduced_convolution p q)) as [on | free]; [exact on | exfalso].
   pose proof (sum_is_closed p q x p_region q_region boundary) as in_x.
-  (* a square off the reduced convolution, and with no other sum of two vertices *)
-  set (sums := map (fun pair => let v := plus (source (fst pair)) (source (snd pair)) in Segment v v)
-    (list_prod (region_edges p) (region_edges q))).
-  destruct (off_near x (reduced_convolution p q ++ filter (fun s => negb (same_place x (source s))) sums))
-    as (radius & R & near).
-  { intros s I on. apply in_app_iff in I. destruct I as [I | I]; [exact (free s I on) |].
-    apply filter_In in I. destruct I as [I differ]. apply in_map_iff in I. destruct I as ([e f] & <- & I).
-    destruct on as (t & _ & X & Y). cbn [source target fst snd] in *.
-    destruct (same_place_spec x (plus (source e) (source f))) as [| differ']; [discriminate | apply differ'].
-    split; lra. }
-  assert (no_vertices : forall y, within radius x y -> ~ equal_vectors x y ->
-    forall w u, is_vertex w p -> is_vertex u q -> ~ equal_vectors y (plus w u)).
-  { intros y close differ w u (e & E & ex & ey) (f & F & fx & fy) [X Y].
-    set (v := plus (source e) (source f)).
-    assert (y_is : equal_vectors y v) by (unfold v, plus in *; cbn [vx vy] in *; split; cbn [vx vy]; lra).
-    apply (near y close (Segment v v)).
-    - apply in_app_iff. right. apply filter_In. split.
-      + apply in_map_iff. exists (e, f). split; [reflexivity | now apply in_prod].
-      + cbn [source]. destruct (same_place_spec x v) as [equal |]; [exfalso | reflexivity].
-        apply differ. rewrite equal. now symmetry.
-    - apply (lies_on_equal v); [now symmetry | apply (source_lies_on (Segment v v))]. }
+  destruct (off_near x (reduced_convolution p q) free) as (radius & R & near).
   (* a point outside the sum, one inside *)
   destruct (boundary radius R) as [_ (y & near_y & out)].
   assert (off_y : off y (convolution_segments p q)).
@@ -103,26 +83,28 @@ Proof.
   destruct (interiors_meet_near p q x ((1 # 2) * radius)) as (z & near_z & meet); trivial;
     try now apply regions_are_regular.
   pose proof (interiors_meet_means_positive_winding_number p q z p_edges q_edges p_valid q_valid meet) as round.
-  set (lines := Segment y x :: flat_map (fun s => [Segment y (source s); Segment y (target s)])
-    (convolution_segments p q)).
+  set (lines := map (fun pair => Segment y (plus (source (fst pair)) (source (snd pair))))
+    (list_prod (region_edges p) (region_edges q))).
   destruct (point_beside z _ (convolution_segments p q) lines half)
     as (z' & near_z' & same_number & off_z & off_lines).
-  { intros t [<- | I].
-    - intros [X Y]. apply out. unfold along, minus in X, Y; cbn [source target vx vy] in X, Y.
-      destruct in_x as (a & b & in_a & in_b & X' & Y'). exists a, b. split; [exact in_a |]. split; [exact in_b |].
-      split; lra.
-    - apply in_flat_map in I. destruct I as (s & I & J). destruct (ends_are_not y s (off_y s I)) as [long_1 long_2].
-      destruct J as [<- | [<- | []]]; assumption. }
+  { intros t I. apply in_map_iff in I. destruct I as ([e f] & <- & I). apply in_prod_iff in I. destruct I as [E F].
+    intros [X Y]. apply out. unfold along, minus in X, Y; cbn [fst snd source target vx vy] in X, Y.
+    apply (in_sum_of y (source e) (source f)); [right; exists e | right; exists f | split; lra];
+      (split; [assumption | apply source_lies_on]). }
   pose proof (within_twice ((1 # 2) * radius) ((1 # 2) * radius) radius x z z' ltac:(lra) near_z near_z') as close_z.
   set (u := minus z' y).
   assert (at_start : equal_vectors y (moved_along y u 0)) by (split; unfold moved_along; cbn [vx vy]; ring).
   assert (at_end : equal_vectors z' (moved_along y u 1)) by (split; unfold moved_along, u, minus; cbn [vx vy]; ring).
+  assert (aside : forall w v, is_vertex w p -> is_vertex v q -> ~ cross u (minus (plus w v) y) == 0).
+  { intros w v (e & E & ex & ey) (f & F & fx & fy) flat.
+    apply (off_lines (Segment y (plus (source e) (source f)))).
+    - apply in_map_iff. exists (e, f). split; [reflexivity | now apply in_prod].
+    - transitivity (- cross u (minus (plus w v) y)); [| lra].
+      unfold area, u, cross, minus, plus; cbn [source target vx vy]. rewrite ex, ey, fx, fy. ring. }
   (* and a boundary point between them *)
   destruct (boundary_between p q y u p_region q_region) as (t & t0 & t1 & boundary_t).
-  - intros s I. assert (side : forall v, In (Segment y v) lines -> ~ side_of y u v == 0).
-    { intros v J flat. apply (off_lines _ J). transitivity (- side_of y u v); [| lra].
-      unfold area, side_of, u, cross, minus; cbn [source target vx vy]. ring. }
-    split; apply side; right; apply in_flat_map; exists s; (split; [exact I |]); cbn; tauto.
+  - intros s I. destruct (convolution_segment_is p q s I) as (a & b & i & j & A & B & I' & J & [-> | ->]); split;
+      apply aside; apply vertex_by_index; trivial; now apply next_in_range.
   - now apply (off_equal y).
   - now rewrite <- (winding_number_of_equal y _ _ (proj1 at_start) (proj2 at_start)).
   - now apply (off_equal z').
@@ -131,14 +113,12 @@ Proof.
     assert (close_c : within radius x c).
     { apply (within_along radius x y z'); trivial. exists t. split; [lra |].
       unfold c, u, moved_along, minus; cbn [source target vx vy]. split; ring. }
-    assert (differ : ~ equal_vectors x c).
-    { intros [X Y]. apply (off_lines (Segment y x) (or_introl eq_refl)).
-      unfold area, cross, minus; cbn [source target vx vy]. rewrite X, Y. unfold c, u, moved_along, minus; cbn [vx vy].
-      ring. }
     destruct (common_point_is_on_the_reduced_convolution p q c p_region q_region) as (s & S & on).
     + intros meet_c. apply (inner_points_are_not_on_the_boundary p q c); [| exact boundary_t].
       now apply interiors_meet_means_inner_point.
-    + intros w v of_p of_q sum_. now destruct (no_vertices c close_c differ w v of_p of_q).
+    + intros w v of_p of_q [X Y]. exfalso. apply (aside w v of_p of_q). transitivity (cross u (minus c y)).
+      * unfold cross, minus; cbn [vx vy]. rewrite X, Y. reflexivity.
+      * unfold c, moved_along, cross, minus; cbn [vx vy]. ring.
     + now apply sum_is_closed.
-    + apply (near c close_c s); [| exact on]. apply in_app_iff. now left.
+    + exact (near c close_c s S on).
 Qed.

@@ -137,6 +137,8 @@ Section BothSides.
   Proof. intros meet_. apply outside. now apply interiors_meet_other_way. Qed.
   Let other_order (a b : vector) : equal_vectors x (plus a b) -> equal_vectors x (plus b a).
   Proof. apply sum_in_other_order. Qed.
+  Let no_vertices' : forall w u, is_vertex w q -> is_vertex u p -> ~ equal_vectors x (plus w u).
+  Proof. intros w u of_q of_p equal. exact (no_vertices u w of_p of_q (other_order _ _ equal)). Qed.
   Let none_meet : forall w u, is_vertex w p -> is_vertex u q -> equal_vectors x (plus w u) -> alone w p /\ alone u q.
   Proof. intros w u of_p of_q equal. now destruct (no_vertices w u of_p of_q). Qed.
 

@@ -4,7 +4,7 @@
    where it says that the interiors of two valid regions meet, there is a point inside both. Two pieces that cross do
    so at no vertex, and to the left of both is inside (left_of_an_edge.v). *)
 From Coq Require Import ZArith Lia Bool List.
-From Oplus Require Import numbers regions_and_sums observation_2_2_4 right_of_an_edge location pieces naive_collision
+From Oplus Require Import numbers regions_and_sums inside_a_corner observation_2_2_4 right_of_an_edge location pieces naive_collision
   met_pieces.
 Import ListNotations.
 
@@ -21,16 +21,21 @@ Lemma inside_beside_an_edge (r : region) (s : segment) (w : vector) : valid_regi
     (area s z < 0 -> (winding_number z (region_edges r) <= 0)%Z).
 Proof.
   intros r_region simple S on free. pose proof r_region as (not_points & _ & meet).
-  destruct (half_square_beside_an_edge r s w r_region S on free) as (r1 & R1 & left_).
+  destruct (fills_left_beside_an_edge r s w r_region S on free) as (r0 & R0 & fills).
+  destruct (on_its_edge_near s w (strictly_between r s w (region_edges_are_directions r not_points s S) S on free))
+    as (r3 & R3 & along_).
   destruct (right_side_near r s w meet S on free) as (r2 & R2 & right_).
   pose proof (left_normal s (region_edges_are_directions r not_points s S)) as turn. set (n := Vector _ _) in turn.
   destruct (some_small _ (eventually_and _ _ (left_is_one_more r s w n meet S on free turn)
     (small_steps_stay_within r2 w (opposite n) R2))) as (e & some & (off_left & _ & more) & close).
   pose proof (simple _ off_left) as at_most. set (v := moved_along w n (- e)) in more.
   assert (v_right : area s v < 0) by now apply (right_step_is_right s w n e (on_the_line w s on)).
-  exists (Qmin r1 r2). split; [now apply Q.min_glb_lt |]. intros z near.
-  destruct (left_ z (within_smaller _ _ _ _ (Q.le_min_l r1 r2) near)) as [inside_left on_line].
-  apply (within_smaller _ _ _ _ (Q.le_min_r r1 r2)) in near.
+  exists (Qmin (Qmin r0 r3) r2). split; [now repeat apply Q.min_glb_lt |]. intros z near.
+  pose proof (within_smaller _ _ _ _ (Q.le_min_l (Qmin r0 r3) r2) near) as near_1.
+  pose proof (fills z (within_smaller _ _ _ _ (Q.le_min_l r0 r3) near_1)) as inside_left.
+  rewrite <- (area_from w z s on) in inside_left.
+  pose proof (along_ z (within_smaller _ _ _ _ (Q.le_min_r r0 r3) near_1)) as on_line.
+  apply (within_smaller _ _ _ _ (Q.le_min_r (Qmin r0 r3) r2)) in near.
   assert (none : area s z < 0 -> (winding_number z (region_edges r) <= 0)%Z).
   { intros z_right. rewrite (right_ z v near); [lia | | exact z_right | exact v_right].
     unfold within, v, moved_along, opposite in *. cbn [vx vy] in *. lra. }

@@ -5,7 +5,7 @@
    the other region, at a point of the edge that is no vertex, and the interiors do not meet, x is on a segment of the
    convolution that has the edge's direction. *)
 From Coq Require Import ZArith Lia Bool List.
-From Oplus Require Import convolution signed_crossings tie_rule convolution_winding regions weight finite_sums
+From Oplus Require Import numbers convolution signed_crossings tie_rule convolution_winding regions weight finite_sums
   tangent_count tracing meeting_of_segments neighbourhoods winding_number_of_the_sum interiors_meet left_of_an_edge
   theorem_4_2_1 simple_chain definition_2_2_8 inside_a_corner boundary_points reduced_convolution edges_at_a_point
   fan_at_a_point fans_that_touch convex_corners.
