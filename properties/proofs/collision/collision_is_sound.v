@@ -126,7 +126,7 @@ Proof.
         <- (reflect_iff _ _ (positive_spec _)) in both. destruct both as [on_t same_].
       destruct (boundary_piece_is b t (proj1 b_region) T) as (g & G & long_g & part & _).
       destruct (part_is_long t g part long_g) as (_ & k & K & kx & ky).
-      apply (same_way g G (part_lies_on t g m long_g part on_t)). apply (Qmult_lt_l _ _ k K).
+      apply (same_way g G (part_lies_on t g m part on_t)). apply (Qmult_lt_l _ _ k K).
       unfold dot in *. rewrite kx, ky in same_. lra.
     + intros round. apply (same_way f F on_f) in round.
       destruct (on_a_piece b f m (proj1 b_region) F on_f) as (t & T & part & on_t). exists t. split; [exact T |].
