@@ -77,7 +77,7 @@ Proof.
     { intros s v j proper range X Y. apply departs_is. split; [exists j; split; [lra | now split] |].
       intros [X' Y']. apply proper. unfold along, minus. split; cbn [vx vy]; apply (Qmult_inj_l _ _ (1 - j)); lra. }
     apply interiors_meet_means_inner_point, (opposite_edges_meet p q _ w u e f); trivial;
-      [split; reflexivity | now apply (departing e w k) | now apply (departing f u l)].
+      [split; reflexivity | apply (departing e w k); trivial; lra | apply (departing f u l); trivial; lra].
 Qed.
 
 (* Theorem, Lemma 2.2.5. *)
@@ -89,5 +89,6 @@ Theorem points_inside_edges (p q : region) (e f : segment) (w u : vector) :
   cross (along e) (along f) == 0 /\ 0 < dot (along e) (along f).
 Proof.
   intros p_region q_region I on_e w_free J on_f u_free boundary.
-  apply (points_strictly_inside_edges p q e f w u); trivial; now apply inside_an_edge with (1 := I) || now apply inside_an_edge with (1 := J).
+  apply (points_strictly_inside_edges p q e f w u); trivial;
+    [exact (inside_an_edge p e w I on_e w_free) | exact (inside_an_edge q f u J on_f u_free)].
 Qed.

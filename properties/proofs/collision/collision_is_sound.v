@@ -4,8 +4,8 @@
    where it says that the interiors of two valid regions meet, there is a point inside both. Two pieces that cross do
    so at no vertex, and to the left of both is inside (left_of_an_edge.v). *)
 From Coq Require Import ZArith Lia Bool List.
-From Oplus Require Import numbers regions_and_sums inside_a_corner observation_2_2_4 right_of_an_edge location pieces naive_collision
-  met_pieces.
+From Oplus Require Import numbers regions_and_sums inside_a_corner observation_2_2_4 right_of_an_edge location pieces
+  naive_collision met_pieces.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -131,7 +131,7 @@ Proof.
         <- (reflect_iff _ _ (positive_spec _)) in both. destruct both as [on_t same_].
       destruct (boundary_piece_is b t (proj1 b_region) T) as (g & G & long_g & part & _).
       destruct (part_is_long t g part long_g) as (_ & k & K & kx & ky).
-      apply (same_way g G (part_lies_on t g m long_g part on_t)). apply (Qmult_lt_l _ _ k K).
+      apply (same_way g G (part_lies_on t g m part on_t)). apply (Qmult_lt_l _ _ k K).
       unfold dot in *. rewrite kx, ky in same_. lra.
     + intros round. apply (same_way f F on_f) in round.
       destruct (on_a_piece b f m (proj1 b_region) F on_f) as (t & T & part & on_t). exists t. split; [exact T |].

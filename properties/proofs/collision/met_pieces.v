@@ -3,8 +3,7 @@
    a piece, and another segment with a point strictly inside it runs along all of it. So inside the pieces of a
    region's boundary are no vertices; and inside those between two contacts of boundaries no vertices of either. *)
 From Coq Require Import ZArith Lia Bool List.
-From Oplus Require Import numbers regions_and_sums location pieces naive_collision.
-From Oplus Require Export beside_a_piece.
+From Oplus Require Import numbers regions_and_sums location beside_a_piece pieces naive_collision.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -117,31 +116,26 @@ Lemma part_is_long (piece s : segment) : is_part piece s -> nonzero (along s) ->
   nonzero (along piece) /\ exists c, 0 < c /\
     vx (along piece) == c * vx (along s) /\ vy (along piece) == c * vy (along s).
 Proof.
-  intros (on_source & on_target & before) long.
-  destruct (fraction_on s _ long on_source) as (_ & jx & jy).
-  destruct (fraction_on s _ long on_target) as (_ & kx & ky).
-  set (j := fraction s (source piece)) in *. set (k := fraction s (target piece)) in *. clearbody j k.
-  assert (x_is : vx (along piece) == (k - j) * vx (along s)) by (in_coordinates; by_equations).
-  assert (y_is : vy (along piece) == (k - j) * vy (along s)) by (in_coordinates; by_equations).
-  split; [| exists (k - j); split; [lra | tauto]].
-  intros [no_x no_y]. rewrite x_is in no_x. rewrite y_is in no_y. apply long.
-  destruct (Qmult_integral _ _ no_x); destruct (Qmult_integral _ _ no_y); split; trivial; exfalso; lra.
+  intros (j & k & _ & less & _ & [jx jy] & [kx ky]) long. unfold point_at in *; cbn [vx vy] in *.
+  assert (x_is : vx (along piece) == (k - j) * vx (along s))
+    by (unfold along, minus; cbn [vx vy]; rewrite jx, kx; ring).
+  assert (y_is : vy (along piece) == (k - j) * vy (along s))
+    by (unfold along, minus; cbn [vx vy]; rewrite jy, ky; ring).
+  split; [| exists (k - j); split; [lra | tauto]]. intros [no_x no_y]. apply long. rewrite x_is in no_x.
+  rewrite y_is in no_y. destruct (Qmult_integral _ _ no_x), (Qmult_integral _ _ no_y); split; trivial; exfalso; lra.
 Qed.
 
-Lemma part_lies_on (piece s : segment) (w : vector) : nonzero (along s) -> is_part piece s -> lies_on w piece ->
-  lies_on w s.
+Lemma part_lies_on (piece s : segment) (w : vector) : is_part piece s -> lies_on w piece -> lies_on w s.
 Proof.
-  intros long part (k & range & X & Y). now destruct (point_of_part piece s w k long part range X Y).
+  intros (j & k & low & less & high & j_is & k_is) (t & range & at_t). exists ((1 - t) * j + t * k).
+  split; [split; nra | exact (point_of_part piece s w j k t j_is k_is at_t)].
 Qed.
 
-Lemma strictly_inside_part (piece s : segment) (w : vector) : nonzero (along s) -> is_part piece s ->
+Lemma strictly_inside_part (piece s : segment) (w : vector) : is_part piece s ->
   strictly_inside w piece -> strictly_inside w s.
 Proof.
-  intros long part inside_. destruct (inside_a_part piece s w long part inside_) as [on between_].
-  destruct part as (on_source & on_target & _).
-  destruct (fraction_on s _ long on_source) as (range_j & _).
-  destruct (fraction_on s _ long on_target) as (range_k & _).
-  destruct (fraction_on s _ long on) as (_ & X & Y). exists (fraction s w). split; [lra | tauto].
+  intros (j & k & low & less & high & j_is & k_is) (t & range & at_t). exists ((1 - t) * j + t * k).
+  split; [split; nra | exact (point_of_part piece s w j k t j_is k_is at_t)].
 Qed.
 
 (* Theorem. Of a segment cut where others meet it: strictly inside a piece are no ends of the others, and what has a
@@ -153,7 +147,7 @@ Theorem nothing_meets_a_piece (s : segment) (others : list segment) (piece f : s
 Proof.
   intros long I inside_ J. destruct (cut_returns s (flat_map (intersection s) others) long) as [none _].
   destruct (none piece I) as [part no_point].
-  pose proof (part_lies_on piece s w long part (strictly_inside_lies_on _ _ inside_)) as on.
+  pose proof (part_lies_on piece s w part (strictly_inside_lies_on _ _ inside_)) as on.
   assert (not_met : forall q, In q (intersection s f) -> ~ equal_vectors w q)
     by (intros q K; apply no_point; [apply in_flat_map; now exists f | exact inside_]).
   assert (no_end : forall p, p = source f \/ p = target f -> ~ equal_vectors w p).
@@ -240,7 +234,7 @@ Proof.
   pose proof (region_edges_are_directions r not_points e E) as long.
   destruct (proj1 (cut_returns e (flat_map (intersection e) (region_edges r)) long) s I) as [part _].
   split; [exact E |]. split; [exact long |]. split; [exact part |]. intros w inside_.
-  split; [exact (part_lies_on s e w long part (strictly_inside_lies_on _ _ inside_)) |].
+  split; [exact (part_lies_on s e w part (strictly_inside_lies_on _ _ inside_)) |].
   intros (u & U & equal). now destruct (nothing_meets_a_piece e _ s u w long I inside_ U).
 Qed.
 
@@ -268,7 +262,7 @@ Proof.
     { rewrite dx, dy, cx, cy. split; ring. }
     intros w in_piece.
     destruct (no_vertex w) as [on free]; [| split; [exact on |]; split; [exact free |]].
-    { exact (strictly_inside_part piece s w long_s part in_piece). }
+    { exact (strictly_inside_part piece s w part in_piece). }
     intros (f & F & equal). destruct (on_a_piece b f (source f) b_edges F (source_lies_on f)) as (t & T & _ & on_t).
     destruct (nothing_meets_a_piece s _ piece t w long_s J in_piece T) as (no_source & no_target & _).
     destruct (inside_or_end w t) as [in_t | [end_ | end_]];

@@ -23,12 +23,6 @@ Proof.
   destruct (Qeq_dec (vy d) 0) as [y_zero | y_some]; [exfalso; now apply some | nra].
 Qed.
 
-Lemma at_most_true (a b : Q) : a <= b -> at_most a b = true.
-Proof. intros le. unfold at_most. destruct (a ?= b) eqn:compared; trivial. apply Qgt_alt in compared. lra. Qed.
-
-Lemma at_most_false (a b : Q) : b < a -> at_most a b = false.
-Proof. intros lt. unfold at_most. apply Qgt_alt in lt. now rewrite lt. Qed.
-
 (* Theorem, Observation 5.2.1, first part. The ray from an edge that leads upwards leaves that edge behind; from an edge
    that leads downwards, the edge itself counts -1. *)
 Theorem what_an_edge_adds_to_its_ray (s : segment) :
@@ -39,12 +33,10 @@ Proof.
   { intros slanted [_ flat]. apply slanted. unfold minus in flat; cbn [vy] in flat. lra. }
   assert (middle : vy (at_ (right_of_middle s)) == (1 # 2) * (vy (source s) + vy (target s)))
     by (unfold right_of_middle; cbn [at_ vy]; field).
-  split; intros way; unfold signed_crossing_of_shifted; rewrite (middle_is_to_the_right s) by (apply some; lra).
-  - rewrite (at_most_true (vy (source s))), (at_most_false (vy (target s))), (at_most_false _ (vy (source s))),
-      (at_most_true _ (vy (target s))) by (rewrite middle; lra).
-    now destruct (is_above _).
-  - rewrite (at_most_false (vy (source s))), (at_most_true (vy (target s))), (at_most_true _ (vy (source s))),
-      (at_most_false _ (vy (target s))) by (rewrite middle; lra).
+  split; intros way; unfold signed_crossing_of_shifted; rewrite (middle_is_to_the_right s) by (apply some; lra);
+    set (m := at_ (right_of_middle s)) in *;
+    destruct (at_most_spec (vy (source s)) (vy m)), (at_most_spec (vy (target s)) (vy m)),
+      (at_most_spec (vy m) (vy (source s))), (at_most_spec (vy m) (vy (target s))); try (exfalso; lra);
     now destruct (is_above _).
 Qed.
 

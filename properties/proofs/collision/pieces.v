@@ -4,7 +4,7 @@
    time. Proved here: pieces are parts of their segment in its direction, they cover it, and no point at which it
    is cut is inside a piece. Points on segments are decided in location.v. *)
 From Coq Require Import ZArith Lia Bool List.
-From Oplus Require Import numbers convolution meeting_of_segments regions first_hit location rotation.
+From Oplus Require Import numbers convolution meeting_of_segments regions first_hit location rotation beside_a_piece.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -87,23 +87,13 @@ Qed.
 Fixpoint ordered (R : vector -> vector -> Prop) (l : list vector) : Prop :=
   match l with [] => True | a :: rest => (forall b, In b rest -> R a b) /\ ordered R rest end.
 
-Lemma ordered_app R (l m : list vector) :
-  ordered R (l ++ m) <-> ordered R l /\ ordered R m /\ forall a b, In a l -> In b m -> R a b.
-Proof.
-  induction l as [| c l IH]; cbn; [firstorder easy |]. rewrite IH. split.
-  - intros (first & l_ordered & m_ordered & across). repeat split; trivial.
-    + intros b I. apply first, in_app_iff. now left.
-    + intros a b [<- | I] J; [apply first, in_app_iff; now right | now apply across].
-  - intros ((first & l_ordered) & m_ordered & across). repeat split; trivial.
-    + intros b I. apply in_app_iff in I. destruct I as [I | I]; [now apply first | apply across; tauto].
-    + intros a b I J. apply across; tauto.
-Qed.
-
 Lemma ordered_backwards R (l : list vector) : ordered R l -> ordered (fun a b => R b a) (rev l).
 Proof.
-  induction l as [| a l IH]; cbn; [trivial |]. intros [first rest]. apply ordered_app.
-  split; [now apply IH |]. split; [cbn; tauto |].
-  intros b c I J. destruct J as [<- | []]. apply first. now apply in_rev.
+  assert (one_more : forall S (m : list vector) a, ordered S m -> (forall b, In b m -> S b a) -> ordered S (m ++ [a])).
+  { intros S m a. induction m as [| c m IH]; cbn; [easy |]. intros [first rest] last_. split; [| now apply IH; auto].
+    intros b I. apply in_app_iff in I. destruct I as [I | [<- | []]]; auto. }
+  induction l as [| a l IH]; cbn; [trivial |]. intros [first rest]. apply one_more; [now apply IH |].
+  intros b I. now apply first, in_rev.
 Qed.
 
 Lemma ordered_by_more (R S : vector -> vector -> Prop) (l : list vector) :
@@ -114,16 +104,9 @@ Proof.
   - apply IH; [| exact rest]. intros b c I J. apply more; now right.
 Qed.
 
-Lemma inserted (p q : vector) (l : list vector) : In q (insert_point p l) -> q = p \/ In q l.
-Proof.
-  induction l as [| r l IH]; cbn; [intros [<- | []]; now left |].
-  destruct (compare_points p r); cbn; intuition congruence.
-Qed.
-
-Lemma insert_keeps (p q : vector) (l : list vector) : In q l -> In q (insert_point p l).
-Proof.
-  induction l as [| r l IH]; cbn; [easy |]. destruct (compare_points p r); cbn; intuition.
-Qed.
+Lemma inserted (p q : vector) (l : list vector) :
+  (In q (insert_point p l) -> q = p \/ In q l) /\ (In q l -> In q (insert_point p l)).
+Proof. induction l as [| r l IH]; cbn; [intuition |]. destruct (compare_points p r); cbn; intuition. Qed.
 
 Lemma insert_has (p : vector) (l : list vector) : exists q, In q (insert_point p l) /\ equal_vectors p q.
 Proof.
@@ -154,24 +137,17 @@ Qed.
 Lemma sorted_has (p : vector) (l : list vector) : In p l -> exists q, In q (sorted_points l) /\ equal_vectors p q.
 Proof.
   induction l as [| r l IH]; cbn; [easy |]. intros [-> | I]; [apply insert_has |].
-  destruct (IH I) as (q & J & equal). exists q. split; [now apply insert_keeps | exact equal].
+  destruct (IH I) as (q & J & equal). exists q. split; [now apply inserted | exact equal].
 Qed.
 
 Lemma sorted_ordered (l : list vector) : ordered comes_first (sorted_points l).
 Proof. induction l as [| p l IH]; cbn; [trivial | now apply insert_ordered]. Qed.
 
-Lemma consecutive_iff (piece : segment) (l : list vector) :
-  In piece (consecutive l) <-> exists before after, l = before ++ source piece :: target piece :: after.
+Lemma consecutive_are (piece : segment) (l : list vector) :
+  In piece (consecutive l) -> exists before after, l = before ++ source piece :: target piece :: after.
 Proof.
-  induction l as [| a [| b l] IH]; cbn [consecutive].
-  - split; [easy |]. intros (before & after & equal). now destruct before.
-  - split; [easy |]. intros ([| c [| d before]] & after & equal); discriminate.
-  - split.
-    + intros [<- | I]; [now exists [], l |]. apply IH in I. destruct I as (before & after & ->).
-      now exists (a :: before), after.
-    + intros ([| c before] & after & equal); injection equal as same_first rest.
-      * left. destruct piece; cbn in *. congruence.
-      * right. apply IH. now exists before, after.
+  induction l as [| a [| b l] IH]; cbn [consecutive]; [easy | easy |]. intros [<- | I]; [now exists [], l |].
+  destruct (IH I) as (before & after & ->). now exists (a :: before), after.
 Qed.
 
 (* How far along a segment a point of it is. *)
@@ -207,22 +183,17 @@ Lemma order_along (s : segment) (p q : vector) : nonzero (along s) -> lies_on p 
 Proof.
   intros long on_p on_q.
   destruct (fraction_on s p long on_p) as (_ & px & py), (fraction_on s q long on_q) as (_ & qx & qy).
-  set (t := fraction s p) in *. set (u := fraction s q) in *. clearbody t u.
-  unfold comes_first. set (dx := vx (target s) - vx (source s)). set (dy := vy (target s) - vy (source s)).
-  assert (step_x : vx q - vx p == (u - t) * dx) by (rewrite px, qx; unfold dx; ring).
-  assert (step_y : vy q - vy p == (u - t) * dy) by (rewrite py, qy; unfold dy; ring).
-  assert (equal_x : vx p == vx q -> ~ dx == 0 -> u - t == 0).
-  { intros equal some. destruct (Qmult_integral (u - t) dx) as [none |]; [lra | exact none | contradiction]. }
-  assert (no_step : u - t == 0 -> vy q - vy p == 0) by (intros none; rewrite step_y, none; ring).
-  assert (direction_x : dx == vx (target s) - vx (source s)) by reflexivity.
-  assert (direction_y : dy == vy (target s) - vy (source s)) by reflexivity.
-  clearbody dx dy. clear px py qx qy.
-  assert (no_x : dx == 0 -> vx q - vx p == 0) by (intros none; rewrite step_x, none; ring).
-  intros order. split; intros direction_;
-    (destruct order as [order | [same_x order]], direction_ as [direction_ | [same_ends direction_]];
-     [assert (0 < (u - t) * dx) by lra; clear step_y | assert (u - t == 0) by (apply equal_x; lra); lra
-     | assert (vx q - vx p == 0) by (apply no_x; lra); lra | assert (0 < (u - t) * dy) by lra; clear step_x]).
-  all: nra.
+  set (e := fraction s q - fraction s p). unfold comes_first.
+  set (dx := vx (target s) - vx (source s)). set (dy := vy (target s) - vy (source s)).
+  assert (step_x : vx q - vx p == e * dx) by (rewrite px, qx; unfold e, dx; ring).
+  assert (step_y : vy q - vy p == e * dy) by (rewrite py, qy; unfold e, dy; ring).
+  intros order. assert (forward : 0 < e * dx \/ e * dx == 0 /\ 0 < e * dy) by lra.
+  enough ((0 < dx \/ dx == 0 /\ 0 < dy -> 0 < e) /\ (dx < 0 \/ dx == 0 /\ dy < 0 -> e < 0))
+    by (unfold e, dx, dy in *; lra).
+  clearbody e dx dy. clear - forward. split; intros direction_; apply Qnot_le_lt; intros other_way;
+    (destruct (Q_dec e 0) as [[low | high] | none]; [| | rewrite none in forward; lra]); try lra;
+    destruct forward as [forward | [flat forward]], direction_ as [direction_ | [no_x direction_]];
+    try rewrite no_x in *; nra.
 Qed.
 
 Definition along_is_ordered (s : segment) (l : list vector) : Prop :=
@@ -242,22 +213,19 @@ Proof.
       now destruct (is_on_spec p s).
     - apply source_lies_on.
     - apply target_lies_on. }
+  assert (listed : forall p q, equal_vectors p q -> In q (inner ++ [source s; target s]) ->
+    exists q, In q sorted /\ equal_vectors p q).
+  { intros p q equal I. destruct (sorted_has q _ I) as (r & J & equal_r). exists r. split; [exact J |].
+    unfold equal_vectors in *. lra. }
   assert (has : forall p, p = source s \/ p = target s \/ (In p points /\ lies_on p s) ->
      exists q, In q sorted /\ equal_vectors p q).
-  { intros p which. destruct (same_point_spec p (source s)) as [is_source | not_source];
-      [| destruct (same_point_spec p (target s)) as [is_target | not_target]].
-    - destruct (sorted_has (source s) (inner ++ [source s; target s])) as (q & I & equal).
-      { apply in_app_iff. cbn. tauto. }
-      exists q. split; [exact I |]. unfold equal_vectors in *. lra.
-    - destruct (sorted_has (target s) (inner ++ [source s; target s])) as (q & I & equal).
-      { apply in_app_iff. cbn. tauto. }
-      exists q. split; [exact I |]. unfold equal_vectors in *. lra.
-    - apply sorted_has, in_app_iff. left. apply filter_In.
-      destruct which as [-> | [-> | [I on_s]]].
-      + exfalso. apply not_source. split; reflexivity.
-      + exfalso. apply not_target. split; reflexivity.
-      + split; [exact I |]. destruct (same_point_spec p (source s)), (same_point_spec p (target s)); try tauto.
-        now destruct (is_on_spec p s). }
+  { intros p which. setoid_rewrite in_app_iff in listed. assert (same : equal_vectors p p) by (split; reflexivity).
+    destruct (same_point_spec p (source s)) as [equal | n1]; [apply (listed p _ equal); cbn; tauto |].
+    destruct (same_point_spec p (target s)) as [equal | n2]; [apply (listed p _ equal); cbn; tauto |].
+    destruct which as [-> | [-> | [I on_s]]]; [now destruct n1 | now destruct n2 |]. apply (listed p p same). left.
+    apply filter_In. split; [exact I |].
+    destruct (same_point_spec p (source s)), (same_point_spec p (target s)); try tauto.
+    now destruct (is_on_spec p s). }
   pose proof (sorted_ordered (inner ++ [source s; target s])) as lexicographic. fold sorted in lexicographic.
   compared_points (target s) (source s).
   - exfalso. apply long. unfold along, minus, equal_vectors in *; cbn [vx vy] in *. lra.
@@ -271,41 +239,29 @@ Proof.
     destruct (order_along s a b long (on a I) (on b J) before) as [forward _]. now apply forward.
 Qed.
 
+(* A part of a segment, in its direction. *)
 Definition is_part (piece s : segment) : Prop :=
-  lies_on (source piece) s /\ lies_on (target piece) s /\ fraction s (source piece) < fraction s (target piece).
+  exists j k, 0 <= j /\ j < k /\ k <= 1 /\
+    equal_vectors (source piece) (point_at s j) /\ equal_vectors (target piece) (point_at s k).
 
-Lemma point_of_part (piece s : segment) (w : vector) (k : Q) : nonzero (along s) -> is_part piece s ->
-  0 <= k <= 1 -> vx w == (1 - k) * vx (source piece) + k * vx (target piece) ->
-  vy w == (1 - k) * vy (source piece) + k * vy (target piece) ->
-  lies_on w s /\ fraction s w == (1 - k) * fraction s (source piece) + k * fraction s (target piece).
+Lemma point_of_part (piece s : segment) (w : vector) (j k t : Q) : equal_vectors (source piece) (point_at s j) ->
+  equal_vectors (target piece) (point_at s k) -> equal_vectors w (point_at piece t) ->
+  equal_vectors w (point_at s ((1 - t) * j + t * k)).
 Proof.
-  intros long (on_source & on_target & before) range X Y.
-  destruct (fraction_on s _ long on_source) as (range_j & jx & jy).
-  destruct (fraction_on s _ long on_target) as (range_k & kx & ky).
-  set (j := fraction s (source piece)) in *. set (l := fraction s (target piece)) in *. clearbody j l.
-  split; [exists ((1 - k) * j + k * l); split; [split; nra |]; split | apply fraction_is; [exact long | |]];
-    by_equations.
-Qed.
-
-Lemma inside_a_part (piece s : segment) (w : vector) : nonzero (along s) -> is_part piece s ->
-  strictly_inside w piece ->
-  lies_on w s /\ fraction s (source piece) < fraction s w < fraction s (target piece).
-Proof.
-  intros long part (k & range & X & Y). destruct (point_of_part piece s w k long part) as [on equal]; trivial; [lra |].
-  split; [exact on |]. rewrite equal. destruct part as (_ & _ & before). split; nra.
+  intros [jx jy] [kx ky] [X Y]. unfold point_at in *; cbn [vx vy] in *. split; cbn [vx vy].
+  - rewrite X, jx, kx. ring.
+  - rewrite Y, jy, ky. ring.
 Qed.
 
 Lemma gap (f : vector -> Q) (before after : list vector) (p q : vector) :
   ordered (fun a b => f a < f b) (before ++ p :: q :: after) ->
   f p < f q /\ forall r, In r (before ++ p :: q :: after) -> f r <= f p \/ f q <= f r.
 Proof.
-  intros order. apply ordered_app in order. destruct order as (_ & (first & second & _) & across).
-  assert (less : f p < f q) by (apply first; now left). split; [exact less |].
-  intros r I. apply in_app_iff in I. destruct I as [I | [<- | [<- | I]]].
-  - left. assert (f r < f p) by (apply across; [exact I | now left]). lra.
-  - left. lra.
-  - right. lra.
-  - right. assert (f q < f r) by now apply second. lra.
+  induction before as [| c before IH]; cbn [app]; intros [first rest].
+  - split; [apply first; now left |]. intros r [<- | [<- | I]]; [left; lra | right; lra | right].
+    apply Qlt_le_weak, rest, I.
+  - destruct (IH rest) as [less none]. split; [exact less |]. intros r [<- | I]; [left | now apply none].
+    apply Qlt_le_weak, first, in_elt.
 Qed.
 
 Lemma covered_by_consecutive (f : vector -> Q) (l : list vector) (a b : vector) (x : Q) :
@@ -332,34 +288,46 @@ Theorem cut_returns (s : segment) (points : list vector) : nonzero (along s) ->
      forall p w, In p points -> strictly_inside w piece -> ~ equal_vectors w p) /\
   (forall w, lies_on w s -> exists piece, In piece (cut s points) /\ is_part piece s /\ lies_on w piece).
 Proof.
-  intros long. destruct (points_along_are s points long) as (on & order & has).
-  assert (part : forall piece, In piece (cut s points) -> is_part piece s).
-  { intros piece I. unfold cut in I. apply consecutive_iff in I. destruct I as (before & after & list_is).
-    unfold along_is_ordered in order. rewrite list_is in order, on. apply gap in order.
-    repeat split; [apply on; apply in_app_iff; cbn; tauto | apply on; apply in_app_iff; cbn; tauto | tauto]. }
+  intros long. destruct (points_along_are s points long) as (on & order & has). unfold along_is_ordered in order.
+  assert (ends : forall piece, In piece (cut s points) ->
+    fraction s (source piece) < fraction s (target piece) /\ (forall r, In r (points_along s points) ->
+      fraction s r <= fraction s (source piece) \/ fraction s (target piece) <= fraction s r) /\
+    (0 <= fraction s (source piece) /\ fraction s (target piece) <= 1) /\
+    equal_vectors (source piece) (point_at s (fraction s (source piece))) /\
+    equal_vectors (target piece) (point_at s (fraction s (target piece)))).
+  { intros piece I. unfold cut in I. apply consecutive_are in I. destruct I as (before & after & list_is).
+    destruct (fraction_on s (source piece) long) as (j_range & j_is); [apply on; rewrite list_is; apply in_elt |].
+    destruct (fraction_on s (target piece) long) as (k_range & k_is);
+      [apply on; rewrite list_is; apply in_app_iff; cbn; tauto |].
+    rewrite list_is in order. apply gap in order. rewrite <- list_is in order.
+    do 3 (split; [tauto |]). exact (conj j_is k_is). }
   split.
-  - intros piece I. split; [now apply part |]. intros p w J inside_ equal.
-    destruct (inside_a_part piece s w long (part piece I) inside_) as [on_w between_].
-    assert (on_p : lies_on p s) by now apply (lies_on_equal w).
-    destruct (has p (or_intror (or_intror (conj J on_p)))) as (q & K & equal_q).
-    unfold cut in I. apply consecutive_iff in I. destruct I as (before & after & list_is).
-    unfold along_is_ordered in order. rewrite list_is in order, K. apply gap in order.
-    destruct order as [_ none]. specialize (none q K).
-    rewrite <- (fraction_of_equal s p q equal_q), <- (fraction_of_equal s w p equal) in none. lra.
+  - intros piece I. destruct (ends piece I) as (less & none & range & j_is & k_is). split.
+    { exists (fraction s (source piece)), (fraction s (target piece)). tauto. }
+    intros p w J (t & t_range & in_piece) equal.
+    set (n := (1 - t) * fraction s (source piece) + t * fraction s (target piece)).
+    assert (w_is : equal_vectors w (point_at s n)) by exact (point_of_part piece s w _ _ t j_is k_is in_piece).
+    pose proof (fraction_is s w n long (proj1 w_is) (proj2 w_is)) as n_is.
+    assert (on_p : lies_on p s)
+      by (apply (lies_on_equal w _ _ equal); exists n; split; [unfold n; split; nra | exact w_is]).
+    destruct (has p (or_intror (or_intror (conj J on_p)))) as (q & K & equal_q). specialize (none q K).
+    rewrite <- (fraction_of_equal s p q equal_q), <- (fraction_of_equal s w p equal), n_is in none.
+    unfold n in none. nra.
   - intros w on_w. destruct (fraction_on s w long on_w) as (range & X & Y).
     destruct (has (source s) (or_introl eq_refl)) as (a & A & a_is).
     destruct (has (target s) (or_intror (or_introl eq_refl))) as (b & B & b_is).
-    pose proof (fraction_is s (source s) 0 long) as at_0. pose proof (fraction_is s (target s) 1 long) as at_1.
-    rewrite (fraction_of_equal s _ _ a_is) in at_0. rewrite (fraction_of_equal s _ _ b_is) in at_1.
-    assert (zero_ : fraction s a == 0) by (apply at_0; ring). assert (one : fraction s b == 1) by (apply at_1; ring).
-    destruct (covered_by_consecutive (fraction s) _ a b (fraction s w) order A B) as (piece & I & between_); [lra | lra |].
-    exists piece. split; [exact I |]. pose proof (part piece I) as is_part_. split; [exact is_part_ |].
-    destruct is_part_ as (on_source & on_target & before).
-    destruct (fraction_on s _ long on_source) as (_ & jx & jy).
-    destruct (fraction_on s _ long on_target) as (_ & kx & ky).
+    assert (zero_ : fraction s a == 0)
+      by (rewrite <- (fraction_of_equal s _ _ a_is); apply fraction_is; [exact long | ring ..]).
+    assert (one : fraction s b == 1)
+      by (rewrite <- (fraction_of_equal s _ _ b_is); apply fraction_is; [exact long | ring ..]).
+    destruct (covered_by_consecutive (fraction s) _ a b (fraction s w) order A B) as (piece & I & between_);
+      [lra | lra |].
+    exists piece. split; [exact I |]. destruct (ends piece I) as (less & _ & piece_range & j_is & k_is).
+    split; [exists (fraction s (source piece)), (fraction s (target piece)); tauto |].
     set (j := fraction s (source piece)) in *. set (k := fraction s (target piece)) in *.
-    set (t := fraction s w) in *. clearbody j k t.
+    set (t := fraction s w) in *. clearbody j k t. destruct j_is as [jx jy], k_is as [kx ky].
+    unfold point_at in *; cbn [vx vy] in *.
     assert (quotient : (t - j) / (k - j) * (k - j) == t - j) by (field; lra).
-    exists ((t - j) / (k - j)). set (r := (t - j) / (k - j)) in *. clearbody r.
-    split; [split; nra |]. split; by_equations.
+    exists ((t - j) / (k - j)). split; [split; [apply Qle_shift_div_l | apply Qle_shift_div_r]; lra |].
+    set (r := (t - j) / (k - j)) in *. clearbody r. split; by_equations.
 Qed.

@@ -48,37 +48,30 @@ Proof.
     now rewrite winding_number_of_placed in *.
 Qed.
 
-Lemma vertex_of_placed (x w : vector) (q : region) : is_vertex (minus x w) q -> is_vertex w (placed x q).
+Lemma vertex_of_placed (x w : vector) (q : region) : is_vertex w (placed x q) <-> is_vertex (minus x w) q.
 Proof.
-  intros (u & I & X & Y). exists (reflected x u). rewrite edges_of_placed. split; [now apply in_map |].
-  unfold reflected, minus in *; cbn [source vx vy] in *. split; cbn [vx vy]; lra.
+  unfold is_vertex. rewrite edges_of_placed. split.
+  - intros (u & (t & <- & T)%in_map_iff & X & Y). exists t. split; [exact T |].
+    unfold reflected, minus in *; cbn [source vx vy] in *. split; cbn [vx vy]; lra.
+  - intros (u & I & X & Y). exists (reflected x u). split; [now apply in_map |].
+    unfold reflected, minus in *; cbn [source vx vy] in *. split; cbn [vx vy]; lra.
 Qed.
 
-Lemma mapped_in_two (A B : Type) (f : A -> B) (l : list A) (before after : list B) :
-  map f l = before ++ after -> exists l1 l2, l = l1 ++ l2 /\ map f l1 = before /\ map f l2 = after.
+Lemma edges_are_no_points (r : region) :
+  (forall s, In s (region_edges r) -> nonzero (along s)) -> no_edges_are_points r.
 Proof.
-  revert before. induction l as [| a l IH]; intros before equal.
-  - cbn in equal. symmetry in equal. apply app_eq_nil in equal. destruct equal as [-> ->]. now exists [], [].
-  - destruct before as [| b before].
-    + exists [], (a :: l). now split.
-    + cbn in equal. injection equal as first rest. destruct (IH before rest) as (l1 & l2 & -> & <- & <-).
-      exists (a :: l1), l2. cbn. now rewrite first.
+  intros long c C d D. unfold edge_directions in D. apply in_map_iff in D. destruct D as (s & <- & S).
+  apply long, in_flat_map. now exists c.
 Qed.
 
 Lemma placed_is_valid (x : vector) (q : region) : valid_region q -> valid_region (placed x q).
 Proof.
   intros (not_points & valid & meet). split; [| split].
-  - (* edges are no points *)
-    intros chain' I. apply in_map_iff in I. destruct I as (chain & <- & I).
-    pose proof (edges_of_placed x [chain]) as edges_are. cbn [region_edges flat_map placed map] in edges_are.
-    rewrite !app_nil_r in edges_are.
-    pose proof (not_points chain I) as long. unfold no_edge_is_a_point, edge_directions in *.
-    rewrite edges_are, map_map. intros v J. apply in_map_iff in J. destruct J as (s & <- & J).
-    specialize (long (minus (target s) (source s)) (in_map (fun e => minus (target e) (source e)) _ s J)).
-    intros [no_x no_y]. apply long. unfold reflected, minus in *; cbn [source target vx vy] in *. split; lra.
+  - apply edges_are_no_points. rewrite edges_of_placed. intros s' (s & <- & S)%in_map_iff [X Y].
+    apply (region_edges_are_directions q not_points s S). unfold reflected in X, Y. in_coordinates. split; lra.
   - intros z free. rewrite winding_number_of_placed by now apply off_placed. apply valid. now apply off_placed.
   - intros earlier' s' later' t' w edges_are I on_s on_t. rewrite edges_of_placed in edges_are.
-    destruct (mapped_in_two _ _ _ _ _ _ edges_are) as (earlier & rest & list_is & earlier_is & rest_is).
+    destruct (map_eq_app _ _ _ _ edges_are) as (earlier & rest & list_is & earlier_is & rest_is).
     destruct rest as [| s later]; [discriminate |]. cbn [map] in rest_is. injection rest_is as s_is later_is.
     assert (J : exists t, In t (earlier ++ later) /\ reflected x t = t').
     { rewrite <- earlier_is, <- later_is, <- map_app in I. apply in_map_iff in I.

@@ -1,7 +1,5 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Union, intersection and difference of valid regions, by one rule each over the winding numbers of both; what they
-   return is valid again. The complement of a region in a frame is a difference, and inside the frame it does not
-   depend on it. *)
+(* Union, intersection and difference of valid regions, by one rule each over the winding numbers of both. *)
 From Coq Require Import QArith Lqa ZArith Lia Bool List.
 From Oplus Require Import specification regions_and_sums specification_bridge filling rule_of_sides region_of_pieces
   sum_program sum_is_right regions_by_rule.
@@ -84,34 +82,4 @@ Section TwoRegions.
     intros y free. destruct (off_both y free) as [-> ->]. unfold by_rule, first_positive, some_positive, families.
     cbn [map existsb]. rewrite orb_false_r, andb_true_iff, negb_true_iff, not_true_iff_false. tauto.
   Qed.
-
-  (* Theorem. *)
-  Theorem unions_intersections_and_differences_are_valid :
-    valid_region (as_region (union p q)) /\ valid_region (as_region (intersection_of_regions p q)) /\
-    valid_region (as_region (difference p q)).
-  Proof.
-    split; [| split]; apply (region_by_rule_is_valid _ families two_are_closed two_are_long eq_refl).
-  Qed.
 End TwoRegions.
-
-(* Theorem. Inside a frame its difference with a region is the closure of what is not in the region: the frame does not
-   matter. *)
-Theorem complement_in_a_frame (frame p : polygonal_region) (x : point) :
-  valid_region (as_region frame) -> valid_region (as_region p) -> interior (fun y => member y frame) x ->
-  (member x (difference frame p) <-> closure (interior (fun y => ~ member y p)) x).
-Proof.
-  intros frame_valid p_valid (radius & R & in_frame).
-  rewrite (difference_is_the_difference frame p frame_valid p_valid x). split.
-  - intros closure_ r r_some. destruct (closure_ r r_some) as (y & close & inner & I & all_in).
-    exists y. split; [exact close |]. exists inner. split; [exact I |]. intros b close_b. now apply all_in.
-  - intros closure_ r r_some.
-    destruct (closure_ (Qminmax.Qmin r ((1 # 2) * radius))) as (y & close & inner & I & all_in).
-    { apply Qminmax.Q.min_glb_lt; lra. }
-    pose proof (Qminmax.Q.le_min_l r ((1 # 2) * radius)). pose proof (Qminmax.Q.le_min_r r ((1 # 2) * radius)).
-    unfold is_near in close. exists y. split; [unfold is_near; lra |].
-    exists (Qminmax.Qmin inner ((1 # 2) * radius)). split; [apply Qminmax.Q.min_glb_lt; lra |].
-    pose proof (Qminmax.Q.le_min_l inner ((1 # 2) * radius)). pose proof (Qminmax.Q.le_min_r inner ((1 # 2) * radius)).
-    intros b close_b. unfold is_near in close_b. split.
-    + apply in_frame. unfold is_near. lra.
-    + apply all_in. unfold is_near. lra.
-Qed.

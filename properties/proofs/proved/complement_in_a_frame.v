@@ -10,13 +10,6 @@ Import ListNotations.
 
 Open Scope Q_scope.
 
-Lemma edges_are_no_points (r : region) : (forall s, In s (region_edges r) -> nonzero (along s)) -> no_edges_are_points
-  r.
-Proof.
-  intros long chain I e J. unfold edge_directions in J. apply in_map_iff in J. destruct J as (s & <- & J).
-  apply long. apply in_flat_map. now exists chain.
-Qed.
-
 Lemma source_is_a_target (r : region) (s : segment) : In s (region_edges r) ->
   exists t, In t (region_edges r) /\ target t = source s.
 Proof.
@@ -45,7 +38,7 @@ Lemma each_two_mapped {A B : Type} (related : A -> A -> Prop) (others : B -> B -
   (forall s t, In s l -> In t l -> related s t -> others (f s) (f t)) -> each_two related l -> each_two others (map f
     l).
 Proof.
-  intros more pairs before s after t l_is T. destruct (mapped_in_two _ _ _ _ _ _ l_is) as (l1 & l2 & -> & <- & rest).
+  intros more pairs before s after t l_is T. destruct (map_eq_app _ _ _ _ l_is) as (l1 & l2 & -> & <- & rest).
   destruct l2 as [| a l2]; [discriminate |]. cbn [map] in rest. injection rest as <- <-.
   rewrite <- map_app in T. apply in_map_iff in T. destruct T as (b & <- & T). apply more.
   - apply in_elt.

@@ -13,12 +13,6 @@ Import ListNotations.
 
 Open Scope Q_scope.
 
-Lemma vertex_of_placed_iff (x w : vector) (q : region) : is_vertex w (placed x q) <-> is_vertex (minus x w) q.
-Proof.
-  split; [| apply vertex_of_placed]. intros (u & U & equal). rewrite edges_of_placed in U. apply in_map_iff in U.
-  destruct U as (t & <- & T). exists t. split; [exact T | by_computing].
-Qed.
-
 (* Edges of a valid region that are not parallel have only vertices in common. *)
 Lemma common_point_is_a_vertex (r : region) (e f : segment) (w : vector) : valid_region r -> In e (region_edges r) ->
   In f (region_edges r) -> lies_on w e -> lies_on w f -> ~ cross (along e) (along f) == 0 -> is_vertex w r.
@@ -77,7 +71,7 @@ Proof.
   - set (w := source piece) in *.
     assert (end_ : forall f v, In f (concat families) -> v = source f \/ v = target f ->
       is_vertex v p \/ is_vertex (minus x v) q).
-    { intros f v F is_end. rewrite <- vertex_of_placed_iff.
+    { intros f v F is_end. rewrite <- vertex_of_placed.
       destruct (edge_is f F), is_end as [-> | ->]; auto using source_is_vertex, target_is_vertex. }
     destruct (ends_of_a_piece t piece _ w P (or_introl eq_refl)) as [is_end | [is_end | (f & F & met)]];
       [destruct (end_ t w T); tauto .. |].
@@ -95,21 +89,22 @@ Proof.
     + now destruct not_p; apply (common_point_is_a_vertex p t f).
     + now apply (crossed t f).
     + apply (crossed f t); trivial. intros parallel. apply turn. unfold cross in *. lra.
-    + now destruct not_q; apply vertex_of_placed_iff, (common_point_is_a_vertex _ t f).
+    + now destruct not_q; apply vertex_of_placed, (common_point_is_a_vertex _ t f).
 Qed.
+
+(* P and Q, in one order or the other. *)
+Definition are_both (p q a b : region) : Prop := a = p /\ b = q \/ a = q /\ b = p.
 
 (* Contacts stay on the way. *)
 Record contacts_stay (p q : region) (way : segment) : Prop := {
-  vertices_of_p_stay : forall y z v f, lies_on y way -> lies_on z way -> is_vertex v p ->
-    In f (region_edges q) -> lies_on (minus y v) f -> lies_on (minus z v) f;
-  vertices_of_q_stay : forall y z e u, lies_on y way -> lies_on z way -> In e (region_edges p) ->
-    is_vertex u q -> lies_on (minus y u) e -> lies_on (minus z u) e;
-  no_vertices_meet : forall y v u, lies_on y way -> is_vertex v p -> is_vertex u q -> ~ equal_vectors y (plus v u) }.
+  vertices_stay : forall a b y z v f, are_both p q a b -> lies_on y way -> lies_on z way -> is_vertex v a ->
+    In f (region_edges b) -> lies_on (minus y v) f -> lies_on (minus z v) f;
+  no_vertices_meet : forall y v, lies_on y way -> is_vertex v p -> ~ is_vertex (minus y v) q }.
 
 Lemma contacts_stay_other_way (p q : region) (way : segment) : contacts_stay p q way -> contacts_stay q p way.
 Proof.
-  intros [of_p of_q none]. split; [intros y z v f Y Z S F; now apply of_q | intros y z e u Y Z E U; now apply of_p |].
-  intros y v u Y V U equal. apply (none y u v Y U V). by_computing.
+  intros [stay none]. split; [intros a b y z v f both; apply (stay a b); unfold are_both in *; tauto |].
+  intros y v Y V U. apply (none y _ Y U), (vertex_of_equal v); [by_computing | exact V].
 Qed.
 
 Section OnTheWay.
@@ -124,6 +119,8 @@ Section OnTheWay.
   Lemma crossing_stays : edges_cross_at p q y w -> interiors_meet z p q.
   Proof.
     intros (e & f & E & F & on_e & on_f & not_p & not_q & turn).
+    pose proof (fun v z u f => vertices_stay _ _ _ stay p q v z u f (or_introl (conj eq_refl eq_refl))) as of_p.
+    pose proof (fun v z u f => vertices_stay _ _ _ stay q p v z u f (or_intror (conj eq_refl eq_refl))) as of_q.
     assert (once : forall v, lies_on v e -> lies_on (minus y v) f -> equal_vectors v w).
     { intros v on on'. apply (lines_meet_once e (reflected y f) w); trivial; [| now apply on_reflected ..].
       intros parallel. apply turn. by_computing. }
@@ -135,14 +132,10 @@ Section OnTheWay.
       apply once; [exact on' | apply (lies_on_equal u); [by_computing | exact on]]. }
     assert (general : forall v, lies_on v way -> not_sum_of_an_end v e f).
     { intros v V. repeat split; intros on.
-      - apply (vertex_of_p (source e)), (vertices_of_p_stay _ _ _ stay v y);
-          auto using source_is_vertex, source_lies_on.
-      - apply (vertex_of_p (target e)), (vertices_of_p_stay _ _ _ stay v y);
-          auto using target_is_vertex, target_lies_on.
-      - apply (vertex_of_q (source f)), (vertices_of_q_stay _ _ _ stay v y);
-          auto using source_is_vertex, source_lies_on.
-      - apply (vertex_of_q (target f)), (vertices_of_q_stay _ _ _ stay v y);
-          auto using target_is_vertex, target_lies_on. }
+      - apply (vertex_of_p (source e)), (of_p v y); auto using source_is_vertex, source_lies_on.
+      - apply (vertex_of_p (target e)), (of_p v y); auto using target_is_vertex, target_lies_on.
+      - apply (vertex_of_q (source f)), (of_q v y); auto using source_is_vertex, source_lies_on.
+      - apply (vertex_of_q (target f)), (of_q v y); auto using target_is_vertex, target_lies_on. }
     assert (same_number : winding_number y (parallelogram e f) = winding_number z (parallelogram e f)).
     { apply (winding_number_along (Segment y z) _ (closed_chain_cycles _)). intros v on.
       now apply off_parallelogram, general, (common_part way y z). }
@@ -152,9 +145,9 @@ Section OnTheWay.
          exact (region_edges_are_directions q (proj1 q_region) f F) |].
       exists w, (minus y w). split; [exact on_e |]. split; [exact on_f | by_computing]. }
     apply (transversal_edges_meet p q z v u e f); trivial; intros vertex.
-    - apply (vertex_of_p v vertex on_v), (vertices_of_p_stay _ _ _ stay z y); trivial.
+    - apply (vertex_of_p v vertex on_v), (of_p z y); trivial.
       apply (lies_on_equal u); [by_computing | exact on_u].
-    - apply (vertex_of_q u vertex on_u), (vertices_of_q_stay _ _ _ stay z y); trivial.
+    - apply (vertex_of_q u vertex on_u), (of_q z y); trivial.
       apply (lies_on_equal v); [by_computing | exact on_v].
   Qed.
 
@@ -164,10 +157,11 @@ Section OnTheWay.
   Lemma vertex_stays : is_vertex w p -> meet_near p q y w -> interiors_meet z p q.
   Proof.
     intros vertex near.
+    pose proof (fun v z f => vertices_stay _ _ _ stay p q v z w f (or_introl (conj eq_refl eq_refl))) as stays.
     assert (free : forall v, lies_on v way -> ~ is_vertex (minus v w) q)
-      by (intros v V u; apply (no_vertices_meet _ _ _ stay v w (minus v w) V vertex u); by_computing).
+      by (intros v V; exact (no_vertices_meet _ _ _ stay v w V vertex)).
     destruct (on_or_off (minus y w) (region_edges q)) as [(f & F & on_y) | off_y].
-    - pose proof (vertices_of_p_stay _ _ _ stay y z w f Y Z vertex F on_y) as on_z.
+    - pose proof (stays y z f Y Z vertex F on_y) as on_z.
       destruct (inside_beside_an_edge q f _ q_region q_simple F on_y (free y Y)) as (r1 & R1 & at_y).
       destruct (inside_beside_an_edge q f _ q_region q_simple F on_z (free z Z)) as (r2 & R2 & at_z).
       destruct (near (Qmin r1 r2)) as (v & close & in_p & in_q); [now apply Q.min_glb_lt |].
@@ -178,7 +172,7 @@ Section OnTheWay.
       destruct (near radius R) as (v & close & _ & _ & round).
       destruct (same_near (minus y v)) as [_ same_v]; [by_computing |].
       assert (off_way : forall u, lies_on u (Segment (minus y w) (minus z w)) -> off u (region_edges q)).
-      { intros u (k & range & kx & ky) f F on. apply (off_y f F), (vertices_of_p_stay _ _ _ stay (plus u w) y); trivial.
+      { intros u (k & range & kx & ky) f F on. apply (off_y f F), (stays (plus u w) y); trivial.
         - apply (common_part way y z); trivial. exists k. split; [exact range | by_computing].
         - apply (lies_on_equal u); [by_computing | exact on]. }
       destruct vertex as (s & S & equal).

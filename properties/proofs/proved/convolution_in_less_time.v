@@ -29,12 +29,11 @@ Definition quick_convolution (p q : region) : list segment :=
   for_all_pairs (fun a b => for_all_pairs segment_along_p a b ++ for_all_pairs segment_along_q a b)
     (map data_of p) (map data_of q).
 
-Lemma filtered_pairs (A B C : Type) (f : A * B -> bool) (g : A * B -> C) (l : list A) (m : list B) :
-  map g (filter f (list_prod l m)) = for_all_pairs (fun a b => if f (a, b) then [g (a, b)] else []) l m.
+Lemma pairs_of_product (A B C : Type) (f : A * B -> list C) (l : list A) (m : list B) :
+  flat_map f (list_prod l m) = for_all_pairs (fun a b => f (a, b)) l m.
 Proof.
   unfold for_all_pairs. induction l as [| a l IH]; [reflexivity |]. cbn [list_prod flat_map].
-  rewrite filter_app, map_app, IH. f_equal. clear IH. induction m as [| b m IH]; [reflexivity |]. cbn.
-  destruct (f (a, b)); cbn; now rewrite IH.
+  rewrite flat_map_app, IH, !flat_map_concat_map, map_map. reflexivity.
 Qed.
 
 Lemma pairs_of_images (A B C D F : Type) (f : C -> D -> list F) (g : A -> C) (h : B -> D) (l : list A)
@@ -45,27 +44,16 @@ Proof.
   now rewrite flat_map_concat_map, map_map, <- flat_map_concat_map.
 Qed.
 
-Lemma listed_pairs (A B C D : Type) (f : A * B -> list C) (g : C -> D) (l : list A) (m : list B) :
-  map g (flat_map f (list_prod l m)) = for_all_pairs (fun a b => map g (f (a, b))) l m.
-Proof.
-  unfold for_all_pairs. induction l as [| a l IH]; [reflexivity |]. cbn [list_prod flat_map].
-  rewrite flat_map_app, map_app, IH. f_equal. clear IH. induction m as [| b m IH]; [reflexivity |]. cbn.
-  now rewrite map_app, IH.
-Qed.
-
 Lemma filtered_images (A B C : Type) (f : B -> bool) (g : B -> C) (h : A -> B) (l : list A) :
-  map g (filter f (map h l)) = map (fun a => g (h a)) (filter (fun a => f (h a)) l).
-Proof.
-  induction l as [| a l IH]; [reflexivity |]. cbn. destruct (f (h a)); cbn; now rewrite IH.
-Qed.
+  map g (filter f (map h l)) = flat_map (fun a => if f (h a) then [g (h a)] else []) l.
+Proof. induction l as [| a l IH]; [reflexivity |]. cbn. destruct (f (h a)); cbn; now rewrite IH. Qed.
 
 (* Theorem. It is the same list. *)
 Theorem quick_convolution_is (p q : region) : quick_convolution p q = convolution_segments p q.
 Proof.
-  unfold quick_convolution, convolution_segments, segments_of_regions. rewrite pairs_of_images, listed_pairs.
+  unfold quick_convolution, convolution_segments, segments_of_regions.
+  rewrite pairs_of_images, flat_map_concat_map, concat_map, map_map, <- flat_map_concat_map, pairs_of_product.
   unfold for_all_pairs at 1 4. apply flat_map_ext. intros a. apply flat_map_ext. intros b.
-  cbn [fst snd]. rewrite map_map. unfold convolution. cbn [list_prod]. rewrite app_nil_r, filter_app, map_app.
-  rewrite !filtered_images. unfold data_of. rewrite !pairs_of_images. f_equal.
-  - now rewrite filtered_pairs.
-  - now rewrite filtered_pairs.
+  rewrite map_map. unfold convolution. cbn [list_prod]. rewrite app_nil_r, filter_app, map_app.
+  now rewrite !filtered_images, !pairs_of_product; unfold data_of; rewrite !pairs_of_images.
 Qed.

@@ -129,17 +129,13 @@ Lemma ends_of_a_piece (s piece : segment) (others : list segment) (p : vector) :
   In piece (cut_where_met s others) -> p = source piece \/ p = target piece ->
   p = source s \/ p = target s \/ exists f, In f others /\ In p (intersection s f).
 Proof.
-  intros I end_. unfold cut_where_met, cut in I. apply consecutive_iff in I.
-    destruct I as (before & after & points_are).
-  assert (J : In p (points_along s (flat_map (intersection s) others))).
-  { rewrite points_are. apply in_app_iff. cbn. destruct end_ as [-> | ->]; tauto. }
-  clear points_are. unfold points_along in J.
-  assert (K : In p (sorted_points (filter (fun p => negb (same_point p (source s)) && negb (same_point p (target s)) &&
-      is_on_segment p s) (flat_map (intersection s) others) ++ [source s; target s]))).
-  { destruct (compare_points (target s) (source s)); trivial. now apply in_rev. }
+  intros I end_. destruct (consecutive_are _ _ I) as (before & after & points_are).
+  assert (J : In p (points_along s (flat_map (intersection s) others)))
+    by (rewrite points_are; apply in_app_iff; cbn; destruct end_ as [-> | ->]; tauto).
+  clear points_are. unfold points_along in J. set (sorted := sorted_points _) in J.
+  assert (K : In p sorted) by (destruct (compare_points (target s) (source s)); trivial; now apply in_rev).
   apply sorted_in, in_app_iff in K. destruct K as [K | [<- | [<- | []]]]; [| tauto ..].
-  apply filter_In in K. destruct K as [K _]. apply in_flat_map in K. destruct K as (f & F & K).
-  right. right. now exists f.
+  apply filter_In in K. destruct K as [(f & F & K)%in_flat_map _]. right. right. now exists f.
 Qed.
 
 (* What is asked of the pieces. *)
@@ -191,7 +187,7 @@ Section Pieces.
     - intros e E. destruct (piece_is e E) as (s & piece & _ & _ & -> & _ & long & _).
       exact (long_of_one_place _ _ (undirected_place piece) long).
     - intros e w E on. destruct (piece_is e E) as (s & piece & S & _ & -> & part & _). exists s. split; [exact S |].
-      apply (part_lies_on piece); [now apply all_long | exact part |].
+      apply (part_lies_on piece s w part).
       exact (lies_on_of_one_place _ _ w (undirected_place piece) on).
     - intros t w J on.
       destruct (cut_returns t (flat_map (intersection t) segments) (all_long t J)) as [_ covers_].
@@ -215,7 +211,7 @@ Section Pieces.
       apply (strictly_inside_of_one_place _ _ w (undirected_place p2)) in in_f.
       apply undirected_of_one_place.
       destruct (nothing_meets_a_piece s1 segments p1 s2 w (all_long s1 S1) P1 in_e S2) as (_ & _ & parallel).
-      specialize (parallel (part_lies_on p2 s2 w (all_long s2 S2) part2 (strictly_inside_lies_on w p2 in_f))).
+      specialize (parallel (part_lies_on p2 s2 w part2 (strictly_inside_lies_on w p2 in_f))).
       apply (one_place p1 p2 w); trivial.
       + clear - parallel x1 y1 x2 y2. unfold cross in *. by_equations.
       + apply (no_end_inside s2 s1 p2 p1); tauto.

@@ -99,7 +99,4 @@ Section OnePiece.
       assert (k == a) by (apply (Qmult_inj_r _ _ _ turn); clearbody a; in_coordinates; by_equations).
       pose proof (far a ltac:(cbn; tauto)). lra.
   Qed.
-
-  Theorem just_right_of_is_off : off (just_right_of segments e) segments.
-  Proof. apply nothing_just_right; [apply half_way_is | apply Qle_refl]. Qed.
 End OnePiece.

@@ -16,9 +16,6 @@ Proof.
   unfold moved_segment. split; intros (t & range & on); exists t; (split; [exact range |]); destruct on; by_computing.
 Qed.
 
-(* P and Q, in one order or the other. *)
-Definition are_both (p q a b : region) : Prop := a = p /\ b = q \/ a = q /\ b = p.
-
 Lemma both_meet (p q a b : region) (x : vector) : are_both p q a b -> interiors_meet x a b -> interiors_meet x p q.
 Proof. intros [[-> ->] | [-> ->]]; [trivial | apply interiors_meet_other_way]. Qed.
 
@@ -143,22 +140,18 @@ Section Pieces.
     intros S I in_y in_z. pose proof (all_vertex_edge_segments_are_long s S) as long.
     assert (inside_ : forall v, lies_on v (Segment y z) -> strictly_inside v piece)
       by (intros v on; now apply (strictly_inside_between y z)).
-    assert (stays : forall a b v w u f, are_both p q a b -> lies_on v (Segment y z) -> lies_on w (Segment y z) ->
-      is_vertex u a -> In f (region_edges b) -> lies_on (minus v u) f -> lies_on (minus w u) f).
-    { intros a b v w u f both V W (t & T & equal) F on.
+    apply (meeting_stays p q (Segment y z)); trivial;
+      [| exact (source_lies_on (Segment y z)) | exact (target_lies_on (Segment y z))]. split.
+    - intros a b v w u f both V W (t & T & equal) F on.
       assert (same : forall x, equal_vectors (minus x u) (minus x (source t))) by (intros x; by_computing).
       assert (listed : In (moved_segment (source t) f) all) by (apply in_all; now exists a, b, t, f).
       apply (lies_on_equal _ _ _ (symmetry (same w))), on_moved_segment.
       apply (runs_along_the_piece s all piece _ v w); auto; [now apply all_vertex_edge_segments_are_long |].
-      apply on_moved_segment. exact (lies_on_equal _ _ _ (same v) on). }
-    apply (meeting_stays p q (Segment y z)); trivial;
-      [| exact (source_lies_on (Segment y z)) | exact (target_lies_on (Segment y z))].
-    split; [intros v w u f; apply (stays p q); now left |
-      intros v w e u V W E U; apply (stays q p); trivial; now right |].
-    intros v u1 u2 V (s1 & S1 & equal_1) (s2 & S2 & equal_2) equal.
-    destruct (nothing_meets_a_piece s all piece (moved_segment (source s1) s2) v long I (inside_ v V)) as [no_source _].
-    - apply in_all. exists p, q, s1, s2. unfold are_both. tauto.
-    - apply no_source. unfold moved_segment. by_computing.
+      apply on_moved_segment. exact (lies_on_equal _ _ _ (same v) on).
+    - intros v u V (t1 & T1 & equal_1) (t2 & T2 & equal_2).
+      destruct (nothing_meets_a_piece s all piece (moved_segment (source t1) t2) v long I (inside_ v V)) as [none _].
+      + apply in_all. exists p, q, t1, t2. unfold are_both. tauto.
+      + apply none. unfold moved_segment. by_computing.
   Qed.
 
   (* Theorem. All along a piece the interiors meet, or nowhere. *)
@@ -231,7 +224,7 @@ Section Pieces.
       - split; [apply source_lies_on |]. intros meet. exact (outside (interiors_meet_of_equal p q _ x equal meet)).
       - split; [apply target_lies_on |]. intros meet. exact (outside (interiors_meet_of_equal p q _ x equal meet)). }
     destruct some as (w & W & on_w & outside_w).
-    destruct (fraction_on s w long (part_lies_on piece s w long part_ on_w)) as (range & X & Y).
+    destruct (fraction_on s w long (part_lies_on piece s w part_ on_w)) as (range & X & Y).
     assert (uncovered : is_in_parts (fraction s w) (uncovered_parts d (sums_of_edges d of_p of_q) s) = true).
     { apply (not_meeting_is_uncovered touching s _ S range). intros meet. apply outside_w.
       refine (interiors_meet_of_equal p q _ _ _ meet). split; cbn [point_at vx vy]; now symmetry. }

@@ -7,7 +7,7 @@ From Coq Require Import QArith Qminmax Lqa Qfield ZArith Lia Bool List.
 From Oplus Require Import regions_and_sums reflected observation_2_2_4 right_of_an_edge theorem_2_2_10 theorem_2_2_6
   lemma_2_2_2 boundary_points fans_that_touch location pieces naive_collision met_pieces specification_bridge
   collision_is_complete placed_collision filling cut_pieces sum_is_right sum_of_uncovered_pieces coordinates
-  open_sum_program open_along_a_piece.
+  contacts_that_stay open_sum_program open_along_a_piece.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -149,7 +149,7 @@ Section OpenSum.
     - apply left_; [exact (within_smaller _ _ _ _ (Q.le_min_l r2 r3) close) | rewrite area_reversed; lra].
     - apply (within_smaller _ _ _ _ (Q.le_min_r r2 r3)) in close.
       apply vertex_edge_sums_are_in_the_sum, on_listed_is. exists s. split; [exact S |].
-      exact (part_lies_on piece s y long_s part (lies_on_of_one_place _ _ y place_ (on_e y close flat))).
+      exact (part_lies_on piece s y part (lies_on_of_one_place _ _ y place_ (on_e y close flat))).
   Qed.
 
   Theorem open_sum_has (x : vector) :

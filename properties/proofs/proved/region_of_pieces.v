@@ -138,13 +138,8 @@ Section Region.
       pose proof (on_the_line w e (strictly_inside_lies_on w e inside_)) as line.
       setoid_replace (area e (moved_along w n d)) with (area e w + d * cross (along e) n) by by_coordinates.
       rewrite line. intros zero_. destruct (Qmult_integral d (cross (along e) n)); [lra | lra | contradiction].
-    - assert (free : ~ lies_on w f).
-      { intros on. assert (ends_of_f : ~ strictly_inside w f)
-          by (intros inside_f; exact (different_pieces segments all_long e f E F differ w inside_ inside_f)).
-        assert (no_end : forall v, v = source f \/ v = target f -> ~ equal_vectors v w).
-        { intros v end_ [X Y]. apply (no_vertex_is_inside segments all_long f e v F E end_).
-          destruct inside_ as (k & range & kx & ky). exists k. rewrite X, Y. tauto. }
-        destruct (on_but_not_inside w f on ends_of_f); [apply (no_end (source f)) | apply (no_end (target f))]; tauto. }
+    - assert (free : ~ lies_on w f)
+        by (intros on; exact (differ (inside_one_piece segments all_long e f w E F inside_ on))).
       destruct (off_one_segment_near w f free) as (radius & R & near).
       refine (eventually_implied _ _ _ (small_steps_stay_within radius w n R)). intros d. apply near.
   Qed.

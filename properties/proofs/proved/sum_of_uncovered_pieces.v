@@ -42,7 +42,7 @@ Definition quick_filled (p q : region) : list segment :=
   let segments := quick_convolution p q in
   let d := common_multiple (denominators (segments ++ region_edges p ++ region_edges q)) in
   let sums := sums_of_edges d (region_edges p) (region_edges q) in
-  flat_map (kept_piece_fast segments)
+  kept_pieces (fun e => 0 <? number_to_the_right segments e)%Z
     (without_copies (flat_map (fun s => map undirected (uncovered_pieces d sums segments s)) segments)).
 
 Definition quick_sum (p q : polygonal_region) : polygonal_region :=
@@ -171,7 +171,7 @@ Section ValidRegions.
     destruct (piece_is segments segments_are_long e E) as (s & piece & S & P & e_is & part_ & long & _).
     pose proof (segments_are_long s S) as s_long.
     pose proof (strictly_inside_lies_on _ _ (middle_is_inside piece)) as on_piece.
-    destruct (fraction_on s _ s_long (part_lies_on piece s _ s_long part_ on_piece)) as (range & is_middle).
+    destruct (fraction_on s _ s_long (part_lies_on piece s _ part_ on_piece)) as (range & is_middle).
     change (equal_vectors (middle piece) (point_at s (fraction s (middle piece)))) in is_middle.
     destruct (covered_is_inside_the_sum p q d s (fraction s (middle piece))) as [found | inner]; trivial.
     { intros t which. apply ends_have_denominator, in_app_iff. rewrite in_app_iff. destruct which as [-> |]; tauto. }
@@ -187,9 +187,8 @@ Section ValidRegions.
   Theorem quick_filled_is : Permutation (quick_filled p q) (filled segments).
   Proof.
     unfold quick_filled. rewrite quick_convolution_is. fold segments. cbv zeta. fold d. fold sums. fold listed.
-    unfold filled, kept_pieces.
-    rewrite (flat_map_ext (kept_piece_fast segments) (kept_piece (is_right_inside segments))).
-    2: { intros e. unfold kept_piece_fast, kept_piece, is_right_inside. now rewrite !number_to_the_right_is. }
+    unfold filled, kept_pieces. rewrite (flat_map_ext _ (kept_piece (is_right_inside segments)))
+      by (intros e; unfold kept_piece, is_right_inside; now rewrite !number_to_the_right_is).
     apply kept_of_a_part; [apply NoDup_nodup | apply without_copies_is_distinct | |].
     - intros e I. apply listed_are_pieces. now apply in_without_copies.
     - intros e E not_listed. apply others_are_not_kept; [exact E |]. intros I. apply not_listed.
@@ -198,13 +197,18 @@ Section ValidRegions.
 End ValidRegions.
 
 (* The chains consist of these pieces. *)
-Lemma quick_chains_are (p q : region) : valid_region p -> valid_region q ->
-  let f := quick_filled p q in Permutation (region_edges (chains_of (length f) f)) (filled (convolution_segments p q)).
+Lemma chains_of_permuted (p q : region) (f : list segment) : valid_region p -> valid_region q ->
+  Permutation f (filled (convolution_segments p q)) ->
+  Permutation (region_edges (chains_of (length f) f)) (filled (convolution_segments p q)).
 Proof.
-  intros p_region q_region. cbv zeta. pose proof (quick_filled_is _ _ p_region q_region) as same_pieces.
-  rewrite <- same_pieces. apply chains_take_all; [lia |]. intros v. rewrite (surplus_permuted v _ _ same_pieces).
+  intros p_region q_region same_pieces. rewrite <- same_pieces. apply chains_take_all; [lia |]. intros v.
+  rewrite (surplus_permuted v _ _ same_pieces).
   apply filled_is_balanced; [now apply all_are_long | now apply all_are_closed].
 Qed.
+
+Lemma quick_chains_are (p q : region) : valid_region p -> valid_region q ->
+  let f := quick_filled p q in Permutation (region_edges (chains_of (length f) f)) (filled (convolution_segments p q)).
+Proof. intros p_region q_region. now apply chains_of_permuted, quick_filled_is. Qed.
 
 (* Theorem. Of valid regions it is the Minkowski sum. *)
 Theorem quick_sum_is_the_sum (p q : polygonal_region) :

@@ -57,12 +57,11 @@ Qed.
 
 Lemma without_copies_is_distinct (l : list segment) : NoDup (without_copies l).
 Proof.
-  unfold without_copies. set (set := fold_left _ _ _). pose proof (Keys.elements_spec2w set) as distinct_.
-  revert distinct_. generalize (Keys.elements set). intros keys distinct_.
-  induction distinct_ as [| k keys new rest IH]; cbn [map]; constructor; [| exact IH].
-  intros again. apply in_map_iff in again. destruct again as (j & same & J). apply new, in_keys.
-  destruct k as [[[a1 a2] [a3 a4]] [[a5 a6] [a7 a8]]], j as [[[b1 b2] [b3 b4]] [[b5 b6] [b7 b8]]].
-  cbv in same. injection same as -> -> -> -> -> -> -> ->. exact J.
+  assert (back : forall k, key_of (segment_of_key k) = k)
+    by (intros [[[a1 a2] [a3 a4]] [[a5 a6] [a7 a8]]]; reflexivity).
+  apply FinFun.Injective_map_NoDup; [intros j k same; now rewrite <- (back j), same |].
+  pose proof (Keys.elements_spec2w (fold_left (fun set s => Keys.add (key_of s) set) l Keys.empty)) as distinct_.
+  induction distinct_; constructor; [now rewrite <- in_keys | assumption].
 Qed.
 
 (* Only what spans the height needs a side. *)
@@ -89,10 +88,3 @@ Proof.
   induction segments as [| s l IH]; intros n; cbn [fold_left map]; [unfold sum; cbn; lia |].
   rewrite IH, fast_crossing_is. unfold sum. cbn [fold_right]. lia.
 Qed.
-
-Definition kept_piece_fast (segments : list segment) (e : segment) : list segment :=
-  match (0 <? number_to_the_right segments (reversed e))%Z, (0 <? number_to_the_right segments e)%Z with
-  | true, false => [e]
-  | false, true => [reversed e]
-  | _, _ => []
-  end.

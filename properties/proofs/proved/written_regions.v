@@ -8,8 +8,8 @@ From Oplus Require Import specification checker balanced_edges convolution convo
   left_of_an_edge theorem_4_2_1 observation_2_2_4 homogeneous_points specification_bridge location pieces
   naive_collision collision_is_sound collision_is_complete checked_collision beside_a_piece filling cut_pieces
   kept_pieces_go_round kept_pieces_balance rule_of_sides walks region_of_pieces sum_program sum_is_right
-  inner_fit_program complement_in_a_frame touching_vertices simple_rings canonical_chains canonical_regions
-  regions_by_rule sum_of_uncovered_pieces valid_regions_are_accepted beside_a_vertex clockwise_most_walks
+  inner_fit_program placed_collision complement_in_a_frame touching_vertices simple_rings canonical_chains
+  canonical_regions regions_by_rule sum_of_uncovered_pieces valid_regions_are_accepted beside_a_vertex clockwise_most_walks
   written_rings.
 Import ListNotations.
 

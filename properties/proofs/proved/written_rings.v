@@ -9,7 +9,8 @@ From Oplus Require Import balanced_edges direction angle angular_crossings windi
   simple_chains_turn_once regions meeting_of_segments weight winding_number_of_the_sum interiors_meet neighbourhoods
   left_of_an_edge right_of_an_edge theorem_4_2_1 observation_2_2_4 boundary_points location pieces naive_collision
   collision_is_sound collision_is_complete beside_a_piece filling cut_pieces kept_pieces_go_round kept_pieces_balance
-  walks complement_in_a_frame touching_vertices valid_regions_are_accepted beside_a_vertex canonical_chains.
+  walks placed_collision complement_in_a_frame touching_vertices valid_regions_are_accepted beside_a_vertex
+  canonical_chains.
 Import ListNotations.
 
 Open Scope Q_scope.
