@@ -8,7 +8,7 @@ From Coq Require Import QArith Lqa ZArith Lia Bool List Permutation.
 From Oplus Require Import specification checker homogeneous_points specification_bridge regions_and_sums
   theorem_2_2_10 lemma_2_2_2 boundary_points reduced_convolution interiors_at_touching_points test_of_regions location
   pieces met_pieces naive_collision collision_is_sound collision_is_complete placed_collision checked_collision
-  beside_a_piece filling kept_pieces_go_round cut_pieces kept_pieces_balance sum_program sum_is_right
+  beside_a_piece filling kept_pieces_go_round cut_pieces beside_a_vertex sum_program sum_is_right
   sum_of_uncovered_pieces just_right_of_a_piece walks
   fans_that_touch.
 Import ListNotations.
