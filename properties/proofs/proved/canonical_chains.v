@@ -63,53 +63,19 @@ Definition written_ring (ring : list vector) : list vector :=
   let chain := canonical_chain ring in
   match find (fun v => existsb (same_point v) chain) ring with Some v => starting_at v [] chain | None => chain end.
 
-(* The same points, and the same winding number, as seen from x. *)
-Definition alike_from (x : vector) (l m : list segment) : Prop :=
-  ((exists s, In s l /\ lies_on x s) <-> (exists s, In s m /\ lies_on x s)) /\
-  winding_number x l = winding_number x m.
-
 Section Alike.
   Variable x : vector.
-
-  Lemma alike_transitive (l m n : list segment) : alike_from x l m -> alike_from x m n -> alike_from x l n.
-  Proof. unfold alike_from. intros [on number_is] [on' number_is']. split; [tauto | congruence]. Qed.
-
-  Lemma alike_permuted (l m : list segment) : Permutation l m -> alike_from x l m.
-  Proof.
-    intros permuted. split.
-    - split; intros (s & S & on); exists s; (split; [| exact on]);
-        [now apply (Permutation_in _ permuted) | now apply (Permutation_in _ (Permutation_sym permuted))].
-    - unfold winding_number. apply sum_of_permutation. now apply Permutation_map.
-  Qed.
-
-  Lemma alike_together (l l' m m' : list segment) :
-    alike_from x l l' -> alike_from x m m' -> alike_from x (l ++ m) (l' ++ m').
-  Proof.
-    intros [on_l number_l] [on_m number_m]. split.
-    - assert (both : forall a b, (exists s, In s (a ++ b) /\ lies_on x s) <->
-        (exists s, In s a /\ lies_on x s) \/ (exists s, In s b /\ lies_on x s)).
-      { intros a b. split; [intros (s & S & on); apply in_app_iff in S; destruct S; [left | right]; now exists s |].
-        intros [(s & S & on) | (s & S & on)]; exists s; rewrite in_app_iff; tauto. }
-      rewrite !both. tauto.
-    - unfold winding_number in *. rewrite !map_app, !sum_of_both. lia.
-  Qed.
 
   Lemma straight_path (z : vector) (l : list vector) : forall a,
     alike_from x (path (a :: straightened a l z) z) (path (a :: l) z).
   Proof.
     induction l as [| b rest IH]; intros a; [now apply alike_permuted |]. cbn [straightened].
     destruct (is_between_ends b a (hd z rest)) eqn:between_.
-    - apply (alike_transitive _ _ _ (IH a)). set (c := hd z rest) in *.
-      change (path (a :: rest) z) with (Segment a c :: path rest z).
+    - apply (alike_transitive x _ _ _ (IH a)). set (c := hd z rest) in *.
+      change (path (a :: rest) z) with ([Segment a c] ++ path rest z).
       change (path (a :: b :: rest) z) with ([Segment a b; Segment b c] ++ path rest z).
-      apply (alike_together [Segment a c] [Segment a b; Segment b c]); [| now apply alike_permuted]. split.
-      + split.
-        * intros (s & [<- | []] & on). apply (on_divided b a c x between_) in on.
-          destruct on; [exists (Segment a b) | exists (Segment b c)]; cbn; tauto.
-        * intros (s & S & on). exists (Segment a c). split; [now left |]. apply (on_divided b a c x between_).
-          destruct S as [<- | [<- | []]]; tauto.
-      + unfold winding_number, sum. cbn [map fold_right]. rewrite (crossing_divided b a c x between_). lia.
-    - exact (alike_together [Segment a b] [Segment a b] _ _ (alike_permuted _ _ (Permutation_refl _)) (IH b)).
+      apply alike_together; [now apply alike_divided | now apply alike_permuted].
+    - exact (alike_together x [Segment a b] [Segment a b] _ _ (alike_permuted x _ _ (Permutation_refl _)) (IH b)).
   Qed.
 
   Lemma straight_chain_is_alike (c : list vector) : alike_from x (edges (straight_chain c)) (edges c).
@@ -129,7 +95,8 @@ Qed.
 
 Definition is_rotation (d c : list vector) : Prop := exists a b, c = a ++ b /\ d = b ++ a.
 
-Lemma starting_at_is_a_rotation (v : vector) (l : list vector) : forall passed, is_rotation (starting_at v passed l) (rev passed ++ l).
+Lemma starting_at_is_a_rotation (v : vector) (l : list vector) : forall passed,
+  is_rotation (starting_at v passed l) (rev passed ++ l).
 Proof.
   induction l as [| w l IH]; intros passed; cbn [starting_at].
   - exists [], (rev passed). rewrite !app_nil_r. now split.
@@ -179,8 +146,7 @@ Proof.
   assert (late : forall k, l ++ m ++ l = k ++ [a; v; b] ++ after -> exists before' after',
     (l ++ m) ++ l ++ m = before' ++ a :: v :: b :: after').
   { intros k rest. exists k, (after ++ m). replace ((l ++ m) ++ l ++ m) with ((l ++ m ++ l) ++ m) by now rewrite <-
-    !app_assoc.
-    rewrite rest. now rewrite <- !app_assoc. }
+    !app_assoc. rewrite rest. now rewrite <- !app_assoc. }
   destruct (app_eq_app _ _ _ _ twice) as (k & [[m_is rest] | [_ rest]]); [| now apply (late k)].
   destruct k as [| x k]; [now apply (late []) |].
   replace ((x :: k) ++ l ++ m ++ l) with (((x :: k) ++ l ++ m) ++ l) in rest by now rewrite <- !app_assoc.
@@ -222,8 +188,7 @@ Proof.
     assert (range : 0 < s / (s + (1 - s) * t) < 1) by (split; [apply Qlt_shift_div_l | apply Qlt_shift_div_r]; lra).
     set (k := s / (s + (1 - s) * t)) in *. clearbody k.
     assert (cx' : vx c == vx a + (s + (1 - s) * t) * (vx d - vx a)) by (rewrite cx, sx; ring).
-    assert (cy' : vy c == vy a + (s + (1 - s) * t) * (vy d - vy a)) by (rewrite cy, sy; ring).
-    split.
+    assert (cy' : vy c == vy a + (s + (1 - s) * t) * (vy d - vy a)) by (rewrite cy, sy; ring). split.
     + intros [X Y]. apply long'. rewrite cx' in X. rewrite cy' in Y.
       split; apply (Qmult_inj_l _ _ (s + (1 - s) * t)); lra.
     + exists k. split; [exact range |].
@@ -266,8 +231,7 @@ Lemma smallest_is_between_none (v a b : vector) :
 Proof.
   rewrite !not_greater. intros A B. destruct (is_between_ends v a b) eqn:between_; [exfalso | reflexivity].
   apply is_between_ends_iff in between_. destruct between_ as (long & k & range & X & Y).
-  assert (ax : vx a == vx v) by nra. assert (bx : vx b == vx v) by nra.
-  apply long. split; [lra | nra].
+  assert (ax : vx a == vx v) by nra. assert (bx : vx b == vx v) by nra. apply long. split; [lra | nra].
 Qed.
 
 Lemma smallest_of_all (rest : list vector) : forall first, In (fold_left smaller_point rest first) (first :: rest) /\

@@ -4,7 +4,8 @@
    stay, and so do its inner points. *)
 From Coq Require Import QArith Lqa ZArith Lia Bool List Permutation Orders Mergesort.
 From Oplus Require Import specification direction winding_number in_out_degree regions specification_bridge pieces
-  sum_program sum_is_right inner_fit_is_right open_sums polygons simple_rings canonical_chains.
+  cut_pieces sum_program sum_is_right touching_vertices inner_fit_is_right open_sums polygons simple_rings
+  canonical_chains.
 Import ListNotations.
 
 (* Outer chains before holes, each by their vertices that are in no straight line. *)
@@ -17,10 +18,7 @@ Definition with_key (c : list vector) : chain_with_key :=
 Lemma compare_chains_antisym (c : list vector) : forall d, compare_chains d c = CompOpp (compare_chains c d).
 Proof.
   induction c as [| v c IH]; intros [| w d]; try reflexivity. cbn [compare_chains].
-  assert (points : compare_points w v = CompOpp (compare_points v w)).
-  { unfold compare_points. rewrite <- (Qcompare_antisym (vx v)), <- (Qcompare_antisym (vy v)).
-    destruct (vx v ?= vx w)%Q; reflexivity. }
-  rewrite points, (IH d). destruct (compare_points v w); reflexivity.
+  rewrite (compare_points_antisym v w), (IH d). destruct (compare_points v w); reflexivity.
 Qed.
 
 Module ByKey <: TotalLeBool.
@@ -53,12 +51,10 @@ Qed.
 
 Lemma rings_in_order_have_the_edges (r : region) : Permutation (region_edges (rings_in_order r)) (region_edges r).
 Proof.
-  unfold rings_in_order. rewrite simple_rings_have_the_edges.
-  transitivity (region_edges (map snd (map with_key r))).
+  unfold rings_in_order. rewrite simple_rings_have_the_edges. transitivity (region_edges (map snd (map with_key r))).
   - apply Permutation_flat_map, Permutation_map. symmetry. apply SortedByKey.Permuted_sort.
   - unfold region_edges. induction r as [| c r IH]; [reflexivity |]. cbn [map flat_map]. apply Permutation_app; [|
-    exact IH].
-    apply edges_of_a_rotation, canonical_start_is_a_rotation.
+    exact IH]. apply edges_of_a_rotation, canonical_start_is_a_rotation.
 Qed.
 
 Lemma written_chains_have_the_edges (r : region) :
@@ -150,35 +146,28 @@ Theorem equal_points_are_written_equally (l m : list point) :
 Proof.
   intros same. setoid_rewrite <- written_points_are in same. unfold written_points in *.
   pose proof (sorted_ordered (map as_vector l)) as l_order. pose proof (sorted_ordered (map as_vector m)) as m_order.
-  revert same m_order. generalize (sorted_points (map as_vector m)). revert l_order.
-  generalize (sorted_points (map as_vector l)). clear l m.
-  assert (other_way : forall a b : vector, equal_points (as_point a) (as_point b) -> ~ comes_first a b /\ ~
-    comes_first b a)
-    by (unfold equal_points, comes_first; intros a b [X Y]; cbn [x_of y_of as_point] in *; lra).
-  intros l. induction l as [| a l IH]; intros l_order m same m_order.
-  - destruct m as [| b m]; [constructor |]. destruct (proj2 (same (as_point b))) as (? & [] & _).
-    exists (as_point b). split; [now left | split; reflexivity].
-  - destruct l_order as [a_first l_order]. destruct m as [| b m].
-    + destruct (proj1 (same (as_point a))) as (? & [] & _). exists (as_point a). split; [now left | split; reflexivity].
-    + destruct m_order as [b_first m_order].
-      assert (heads : equal_points (as_point a) (as_point b)).
-      { destruct (proj1 (same (as_point a))) as (v & [<- | V] & equal); [exists (as_point a); split; [now left |
-        split; reflexivity] |
-          exact equal |].
-        destruct (proj2 (same (as_point b))) as (w & [<- | W] & equal'); [exists (as_point b); split; [now left |
-          split; reflexivity] |
-          now destruct equal'; split; symmetry |].
-        apply in_map_iff in V, W. destruct V as (c & <- & C), W as (d & <- & D). exfalso.
-        specialize (b_first c C). specialize (a_first d D). destruct equal, equal'.
-        unfold comes_first, as_point in *. cbn [x_of y_of] in *. lra. }
-      cbn [map]. constructor; [exact heads |]. apply IH; [exact l_order | | exact m_order].
-      intros x. split; intros (v & V & equal).
-      * destruct (proj1 (same x)) as (w & [<- | W] & equal'); [exists v; split; [now right | exact equal] | | now
-        exists w].
-        exfalso. apply in_map_iff in V. destruct V as (c & <- & C). refine (proj1 (other_way a c _) (a_first c C)).
-        destruct heads, equal, equal'. unfold as_point, equal_points in *. cbn [x_of y_of] in *. split; lra.
-      * destruct (proj2 (same x)) as (w & [<- | W] & equal'); [exists v; split; [now right | exact equal] | | now
-        exists w].
-        exfalso. apply in_map_iff in V. destruct V as (c & <- & C). refine (proj1 (other_way b c _) (b_first c C)).
-        destruct heads, equal, equal'. unfold as_point, equal_points in *. cbn [x_of y_of] in *. split; lra.
+  revert same l_order m_order. generalize (sorted_points (map as_vector l)), (sorted_points (map as_vector m)).
+  clear l m.
+  set (has := fun (l : list vector) x => exists v, In v (map as_point l) /\ equal_points x v).
+  assert (rest : forall a b l m, (forall c, In c l -> comes_first a c) -> equal_points (as_point a) (as_point b) ->
+    (forall x, has (a :: l) x -> has (b :: m) x) -> forall x, has l x -> has m x).
+  { intros a b l m first_ [X Y] part x (v & V & at_v). destruct (part x) as (w & [<- | W] & at_w);
+      [exists v; split; [now right | exact at_v] | exfalso | now exists w].
+    apply in_map_iff in V. destruct V as (c & <- & C), at_v, at_w. specialize (first_ c C).
+    unfold comes_first, as_point in *. cbn [x_of y_of] in *. lra. }
+  induction l as [| a l IH]; intros [| b m] same l_order m_order.
+  - constructor.
+  - destruct (proj2 (same (as_point b))) as (? & [] & _). exists (as_point b). split; [now left | split; reflexivity].
+  - destruct (proj1 (same (as_point a))) as (? & [] & _). exists (as_point a). split; [now left | split; reflexivity].
+  - destruct l_order as [a_first l_order], m_order as [b_first m_order].
+    assert (heads : equal_points (as_point a) (as_point b)).
+    { destruct (proj1 (same (as_point a))) as (v & [<- | V] & at_v),
+        (proj2 (same (as_point b))) as (w & [<- | W] & at_w);
+        try (eexists; split; [now left | split; reflexivity]); trivial; [destruct at_w; now split; symmetry |].
+      apply in_map_iff in V, W. destruct V as (c & <- & C), W as (d & <- & D). exfalso.
+      specialize (b_first c C). specialize (a_first d D). destruct at_v, at_w.
+      unfold comes_first, as_point in *. cbn [x_of y_of] in *. lra. }
+    cbn [map]. constructor; [exact heads |]. apply IH; trivial. intros x. split.
+    + apply (rest a b); trivial. intros y. apply same.
+    + apply (rest b a); trivial; [destruct heads; now split; symmetry |]. intros y. apply same.
 Qed.

@@ -2,10 +2,8 @@
 (* Valid regions stay valid when their vertices are written in another way, and so does the outside of one in a square
    frame around it (inner_fit_program.v). *)
 From Coq Require Import QArith Qabs Lqa ZArith Lia Bool List Permutation.
-From Oplus Require Import specification convolution signed_crossings regions meeting_of_segments
-  winding_number_of_the_sum interiors_meet left_of_an_edge theorem_4_2_1 homogeneous_points specification_bridge
-    collision_is_complete
-  placed_collision sum_program sum_is_right turned_chains inner_fit_program.
+From Oplus Require Import specification regions_and_sums homogeneous_points specification_bridge collision_is_complete
+  placed_collision distinct edges_of_valid_regions walks sum_program sum_is_right turned_chains inner_fit_program.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -14,65 +12,52 @@ Lemma source_is_a_target (r : region) (s : segment) : In s (region_edges r) ->
   exists t, In t (region_edges r) /\ target t = source s.
 Proof.
   intros S. apply in_flat_map in S. destruct S as (c & C & S). destruct (edges_ends c) as [sources targets].
-  assert (I : In (source s) (rotated c)).
-  { assert (I : In (source s) c) by (rewrite <- sources; now apply in_map).
-    destruct c as [| v rest]; [destruct I |]. cbn [rotated]. apply in_app_iff. cbn. destruct I as [-> | I]; tauto. }
-  rewrite <- targets in I. apply in_map_iff in I. destruct I as (t & equal & T). exists t. split; [| exact equal].
-  apply in_flat_map. now exists c.
+  assert (I : In (source s) (map target (edges c))).
+  { rewrite targets. apply (Permutation_in _ (Permutation_sym (rotated_permutes c))). rewrite <- sources.
+    now apply in_map. }
+  apply in_map_iff in I. destruct I as (t & equal & T). exists t. split; [| exact equal]. apply in_flat_map.
+  now exists c.
 Qed.
 
-(* A relation of each two elements at different places. *)
-Definition each_two {A : Type} (related : A -> A -> Prop) (l : list A) : Prop :=
-  forall before s after t, l = before ++ s :: after -> In t (before ++ after) -> related s t.
+(* Pairs of a list, in whatever order. *)
+Section Pairs.
+  Context {A : Type}.
+  Variable related : A -> A -> Prop.
+  Hypothesis symmetric : forall a b, related a b -> related b a.
 
-Lemma each_two_permuted {A : Type} (related : A -> A -> Prop) (l k : list A) :
-  Permutation l k -> each_two related l -> each_two related k.
+  Lemma pairs_by_position (l : list A) : ForallOrdPairs related l <->
+    forall earlier s later t, l = earlier ++ s :: later -> In t (earlier ++ later) -> related s t.
+  Proof.
+    split.
+    - intros pairs earlier s later t -> T. destruct (pair_at _ _ _ _ _ pairs T); auto.
+    - induction l as [| a l IH]; intros all; constructor.
+      + apply Forall_forall. intros b B. now apply (all [] a l).
+      + apply IH. intros earlier s later t -> T. apply (all (a :: earlier) s later); [reflexivity | now right].
+  Qed.
+
+  Lemma pairs_permuted (l k : list A) : Permutation l k -> ForallOrdPairs related l -> ForallOrdPairs related k.
+  Proof.
+    intros permuted. induction permuted as [| a l k permuted IH | a b l | l k m _ IH _ IH']; intros pairs; auto;
+      inversion pairs as [| ? ? first rest]; subst.
+    - constructor; [now apply (Permutation_Forall permuted) | auto].
+    - inversion rest as [| ? ? first' rest']; inversion first; subst. repeat constructor; auto.
+  Qed.
+End Pairs.
+
+Lemma pairs_mapped {A B : Type} (related : A -> A -> Prop) (others : B -> B -> Prop) (f : A -> B) (l : list A) :
+  (forall s t, In s l -> In t l -> related s t -> others (f s) (f t)) -> ForallOrdPairs related l ->
+  ForallOrdPairs others (map f l).
 Proof.
-  intros permuted pairs before s after t k_is T.
-  assert (S : In s l) by (apply (Permutation_in _ (Permutation_sym permuted)); rewrite k_is; apply in_elt).
-  destruct (in_split _ _ S) as (earlier & later & l_is). apply (pairs earlier s later t l_is).
-  rewrite l_is, k_is in permuted. apply (Permutation_in _ (Permutation_sym (Permutation_app_inv _ _ _ _ _ permuted)) T).
+  intros more pairs. apply (weaker_pairs _ _ _ more) in pairs. clear more. induction pairs; constructor; trivial.
+  now apply Forall_map.
 Qed.
-
-Lemma each_two_mapped {A B : Type} (related : A -> A -> Prop) (others : B -> B -> Prop) (f : A -> B) (l : list A) :
-  (forall s t, In s l -> In t l -> related s t -> others (f s) (f t)) -> each_two related l -> each_two others (map f
-    l).
-Proof.
-  intros more pairs before s after t l_is T. destruct (map_eq_app _ _ _ _ l_is) as (l1 & l2 & -> & <- & rest).
-  destruct l2 as [| a l2]; [discriminate |]. cbn [map] in rest. injection rest as <- <-.
-  rewrite <- map_app in T. apply in_map_iff in T. destruct T as (b & <- & T). apply more.
-  - apply in_elt.
-  - apply in_app_iff. apply in_app_iff in T. cbn. tauto.
-  - now apply (pairs l1 a l2).
-Qed.
-
-Lemma each_two_together {A : Type} (related : A -> A -> Prop) (l k : list A) :
-  each_two related l -> each_two related k -> (forall s t, In s l -> In t k -> related s t /\ related t s) ->
-  each_two related (l ++ k).
-Proof.
-  intros in_l in_k across before s after t both_are T.
-  destruct (app_eq_app _ _ _ _ both_are) as (middle & [[-> rest] | [-> rest]]).
-  - destruct middle as [| a middle]; cbn in rest.
-    + rewrite app_nil_r in *. apply in_app_iff in T. destruct T as [T | T].
-      * apply (across t s); [exact T |]. rewrite <- rest. now left.
-      * apply (in_k [] s after t); [now symmetry | exact T].
-    + injection rest as <- ->. rewrite app_assoc in T. apply in_app_iff in T. destruct T as [T | T].
-      * now apply (in_l before s middle t).
-      * apply (across s t); [apply in_elt | exact T].
-  - rewrite <- app_assoc in T. apply in_app_iff in T. destruct T as [T | T].
-    + apply (across t s); [exact T |]. rewrite rest. apply in_elt.
-    + now apply (in_k middle s after t).
-Qed.
-
-Definition meet_in_vertices_of (r : region) (s t : segment) : Prop :=
-  forall w, lies_on w s -> lies_on w t -> is_vertex w r.
 
 Lemma edges_meet_by_pairs (r : region) :
-  edges_meet_in_vertices r <-> each_two (meet_in_vertices_of r) (region_edges r).
+  edges_meet_in_vertices r <-> ForallOrdPairs (meet_in_sources (region_edges r)) (region_edges r).
 Proof.
-  split.
-  - intros meet before s after t edges_are T w. now apply (meet before s after t w).
-  - intros pairs earlier s later t w edges_are T. now apply (pairs earlier s later t edges_are T w).
+  rewrite (pairs_by_position _ (meet_in_sources_swapped _)). split.
+  - intros meet earlier s later t is_ T w. exact (meet earlier s later t w is_ T).
+  - intros meet earlier s later t w is_ T. exact (meet earlier s later t is_ T w).
 Qed.
 
 (* Vertices written in another way. *)
@@ -88,12 +73,12 @@ Proof.
     destruct (proj2 (on_images h same x (region_edges r))) as (t & T & on_t); [now exists s |].
     rewrite <- edges_of_images in T. exact (free t T on_t).
   - apply edges_meet_by_pairs. rewrite edges_of_images. apply edges_meet_by_pairs in meet.
-    refine (each_two_mapped _ _ _ _ _ meet). intros s t S T related w on_s on_t.
+    refine (pairs_mapped _ _ _ _ _ meet). intros s t S T related w on_s on_t.
     assert (back : forall u, lies_on w (moved_ends h u) -> lies_on w u).
     { intros [c d] on. unfold moved_ends in on. cbn [source target] in on.
       refine (lies_on_of_equal w w _ _ c d _ _ _ on); [reflexivity | apply same ..]. }
     destruct (related w (back s on_s) (back t on_t)) as (u & U & equal). exists (moved_ends h u).
-    rewrite edges_of_images. split; [now apply in_map |]. destruct (same (source u)), equal.
+    split; [now apply in_map |]. destruct (same (source u)), equal.
     unfold moved_ends; cbn [source]. split; lra.
 Qed.
 
@@ -105,15 +90,17 @@ Proof.
   rewrite <- edges_of_images in T. exact (free t T on_t).
 Qed.
 
+Lemma as_image (r : region) : exists h, (forall v, equal_vectors (h v) v) /\ as_region (as_polygonal r) = map (map h) r.
+Proof.
+  exists (fun v => homogeneous_points.vector_of (checker.homogeneous (as_point v))). split.
+  - intros v. rewrite (homogeneous_points.homogeneous_is (as_point v)). split; reflexivity.
+  - unfold as_region, as_polygonal. rewrite map_map. apply map_ext. intros c. now rewrite map_map.
+Qed.
+
 Corollary polygonal_is_valid (r : region) : valid_region r -> nowhere_above_one r ->
   valid_region (as_region (as_polygonal r)) /\ nowhere_above_one (as_region (as_polygonal r)).
 Proof.
-  intros valid simple. set (h := fun v => homogeneous_points.vector_of (checker.homogeneous (as_point v))).
-  assert (same : forall v, equal_vectors (h v) v).
-  { intros v. unfold h. rewrite (homogeneous_points.homogeneous_is (as_point v)). split; reflexivity. }
-  assert (is_image : as_region (as_polygonal r) = map (map h) r).
-  { unfold as_region, as_polygonal. rewrite map_map. apply map_ext. intros c. now rewrite map_map. }
-  rewrite is_image. split; [now apply images_are_valid | now apply images_are_simple].
+  destruct (as_image r) as (h & same & ->). split; [now apply images_are_valid | now apply images_are_simple].
 Qed.
 
 (* The frame. *)
@@ -154,15 +141,12 @@ Proof.
     split; [split; [apply Qle_shift_div_l | apply Qle_shift_div_r]; lra |]. set (t := (u + k) / (2 * k)) in *. lra. }
   destruct (ratio (vx x) in_x) as (t & t_range & at_x), (ratio (vy x) in_y) as (l & l_range & at_y).
   unfold off, edges, frame in free. cbn [rotated app combine map fst snd] in free.
-  repeat split; apply Qnot_le_lt; intros extreme.
-  - apply (free (Segment (Vector (- k) k) (Vector (- k) (- k)))); [cbn; tauto |]. exists (1 - l).
-    cbn [source target vx vy]. split; [lra |]. split; lra.
-  - apply (free (Segment (Vector k (- k)) (Vector k k))); [cbn; tauto |]. exists l.
-    cbn [source target vx vy]. split; [lra |]. split; lra.
-  - apply (free (Segment (Vector (- k) (- k)) (Vector k (- k)))); [cbn; tauto |]. exists t.
-    cbn [source target vx vy]. split; [lra |]. split; lra.
-  - apply (free (Segment (Vector k k) (Vector (- k) k))); [cbn; tauto |]. exists (1 - t).
-    cbn [source target vx vy]. split; [lra |]. split; lra.
+  repeat split; apply Qnot_le_lt; intros extreme;
+    [apply (free (Segment (Vector (- k) k) (Vector (- k) (- k)))); [cbn; tauto |]; exists (1 - l) |
+     apply (free (Segment (Vector k (- k)) (Vector k k))); [cbn; tauto |]; exists l |
+     apply (free (Segment (Vector (- k) (- k)) (Vector k (- k)))); [cbn; tauto |]; exists t |
+     apply (free (Segment (Vector k k) (Vector (- k) k))); [cbn; tauto |]; exists (1 - t)];
+    cbn [source target vx vy]; (split; [lra | split; lra]).
 Qed.
 
 Lemma frame_goes_round_once (k : Q) (x : vector) : 0 < k -> off x (edges (frame k)) ->
@@ -218,40 +202,30 @@ Section Complement.
         unfold along, reversed, minus in *; cbn [source target vx vy] in *. split; lra.
     - intros x free. destruct (number_of_complement x free); lia.
     - apply edges_meet_by_pairs. unfold complement_in_frame at 2. cbn [region_edges flat_map].
-      fold (region_edges (map turned_chain a)). apply each_two_together.
-      + intros before s after t edges_are T w on_s on_t.
-        assert (corner : (vx w == k \/ vx w == - k) /\ (vy w == k \/ vy w == - k)).
-        { destruct on_s as (u & u_range & ux & uy), on_t as (v & v_range & v_x & v_y).
-          unfold edges, frame in edges_are. cbn [rotated app combine map fst snd] in edges_are.
-          destruct before as [| e1 [| e2 [| e3 [| e4 before]]]]; cbn [app] in edges_are;
-            try (injection edges_are; intros; subst; cbn [app] in T;
-                 repeat (destruct T as [<- | T]); try contradiction; cbn [source target vx vy] in *; lra).
-          exfalso. apply (f_equal (@length segment)) in edges_are. cbn in edges_are. rewrite app_length in edges_are.
-          cbn in edges_are. lia. }
-        assert (listed : forall e, In e (edges (frame k)) -> equal_vectors w (source e) ->
-          is_vertex w (complement_in_frame k a)).
-        { intros e E equal. exists e. split; [| exact equal]. unfold complement_in_frame. cbn [region_edges flat_map].
-          apply in_app_iff. now left. }
-        destruct corner as [[X | X] [Y | Y]].
-        * apply (listed (Segment (Vector k k) (Vector (- k) k))); [cbn; tauto | split; assumption].
-        * apply (listed (Segment (Vector k (- k)) (Vector k k))); [cbn; tauto | split; assumption].
-        * apply (listed (Segment (Vector (- k) k) (Vector (- k) (- k)))); [cbn; tauto | split; assumption].
-        * apply (listed (Segment (Vector (- k) (- k)) (Vector k (- k)))); [cbn; tauto | split; assumption].
-      + apply (each_two_permuted _ _ _ (Permutation_sym (region_edges_of_turned a))).
-        apply edges_meet_by_pairs in meet. refine (each_two_mapped _ _ _ _ _ meet).
+      fold (region_edges (map turned_chain a)). apply pairs_of_two_lists.
+      + apply (weaker_pairs (fun s t => forall w, lies_on w s -> lies_on w t -> exists e,
+          In e (edges (frame k)) /\ equal_vectors w (source e))).
+        { intros s t _ _ common w on_s on_t. destruct (common w on_s on_t) as (e & E & equal). exists e.
+          split; [apply in_app_iff; now left | exact equal]. }
+        unfold edges, frame. cbn [rotated app combine map fst snd].
+        repeat (constructor; [repeat constructor |]); try constructor;
+          intros w (u & u_range & ux & uy) (v & v_range & v_x & v_y); cbn [source target vx vy] in *;
+          first [exfalso; lra | eexists; (split; [now left |]); split; cbn; lra |
+            eexists; (split; [right; now left |]); split; cbn; lra |
+            eexists; (split; [right; right; now left |]); split; cbn; lra |
+            eexists; (split; [right; right; right; now left |]); split; cbn; lra].
+      + apply (pairs_permuted _ (meet_in_sources_swapped _) _ _ (Permutation_sym (region_edges_of_turned a))).
+        apply edges_meet_by_pairs in meet. refine (pairs_mapped _ _ _ _ _ meet).
         intros s t S T related w on_s on_t. apply lies_on_reversed in on_s. apply lies_on_reversed in on_t.
         destruct (related w on_s on_t) as (u & U & equal).
         destruct (source_is_a_target a u U) as (v & V & end_). exists (reversed v). split.
-        * unfold complement_in_frame. cbn [region_edges flat_map]. apply in_app_iff. right.
+        * apply in_app_iff. right.
           apply (Permutation_in _ (Permutation_sym (region_edges_of_turned a))). now apply in_map.
         * cbn [reversed source]. now rewrite end_.
-      + intros s t S T.
-        assert (apart : forall w, lies_on w s -> lies_on w t -> False).
-        { intros w on_s on_t. pose proof (on_the_frame k w s S on_s) as where_.
-          apply (Permutation_in _ (region_edges_of_turned a)), in_map_iff in T. destruct T as (u & <- & U).
-          apply lies_on_reversed in on_t. destruct (a_fits u U) as [in_source in_target].
-          destruct (squares_are_convex m u w in_source in_target on_t). lra. }
-        split; intros w on_1 on_2; exfalso; now apply (apart w).
+      + intros s t S T w on_s on_t. exfalso. pose proof (on_the_frame k w s S on_s) as where_.
+        apply (Permutation_in _ (region_edges_of_turned a)), in_map_iff in T. destruct T as (u & <- & U).
+        apply lies_on_reversed in on_t. destruct (a_fits u U) as [in_source in_target].
+        destruct (squares_are_convex m u w in_source in_target on_t). lra.
     - intros x free. destruct (number_of_complement x free); lia.
   Qed.
 End Complement.

@@ -1,13 +1,11 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* The complement of a region has its chains, turned: they go round what was outside. That edges belong to it is all
-   that
-   there is to prove: near each of their points is one outside. In any frame around a point, an unbounded region is a
-   bounded one there. *)
+   that there is to prove: near each of their points is one outside. In any frame around a point, an unbounded region is
+   a bounded one there. *)
 From Coq Require Import QArith Lqa ZArith Lia Bool List.
-From Oplus Require Import specification convolution signed_crossings regions interiors_meet neighbourhoods theorem_4_2_1
-  specification_bridge collision_is_complete checked_collision sum_program sum_is_right coordinates open_sums
-    turned_chains
-  inner_fit_program complement_in_a_frame inner_fit_is_right.
+From Oplus Require Import specification regions_and_sums specification_bridge collision_is_complete checked_collision
+  sum_program sum_is_right coordinates open_sums turned_chains inner_fit_program complement_in_a_frame
+  inner_fit_is_right.
 Import ListNotations.
 
 Open Scope Q_scope.

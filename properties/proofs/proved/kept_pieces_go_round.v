@@ -3,10 +3,10 @@
    round it once. So seen from a point of the set, they are crossed once more in one direction than in the other, and as
    often from elsewhere. Go along the ray to the right, from piece to piece. What the set is does not matter: that its
    points are those of some winding number (rule_of_sides.v), or those where two regions meet. *)
-From Coq Require Import QArith Qabs Qminmax Lqa Qfield ZArith Lia Bool List.
-From Oplus Require Import direction angle angular_crossings winding_number shifted_ray small_numbers signed_crossings
-  tie_rule regions meeting_of_segments first_hit neighbourhoods left_of_an_edge beside_every_point location pieces
-  beside_a_piece filling.
+From Coq Require Import QArith Qabs Qminmax Lqa Qfield ZArith Lia Bool List Permutation.
+From Oplus Require Import balanced_edges direction angle angular_crossings winding_number shifted_ray small_numbers
+  signed_crossings tie_rule regions meeting_of_segments first_hit neighbourhoods left_of_an_edge beside_every_point
+  location pieces beside_a_piece filling.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -17,25 +17,13 @@ Lemma inside_at_height (s : segment) (y : Q) : ends_avoid y s -> spans s y = tru
   strictly_inside (point_at_height s y) s.
 Proof. intros [no_source no_target] spanning. apply inside_by_height; trivial. now apply point_at_height_lies_on. Qed.
 
-Lemma spans_reversed (s : segment) (y : Q) : spans (reversed s) y = spans s y.
-Proof. unfold spans, reversed. cbn [source target]. apply xorb_comm. Qed.
-
-Lemma reversed_at_height (s : segment) (y : Q) : spans s y = true ->
-  vx (point_at_height (reversed s) y) == vx (point_at_height s y).
-Proof.
-  intros spanning. apply heights_of_spanning in spanning. unfold point_at_height, reversed. cbn [source target vx].
-  field. split; lra.
-Qed.
-
 Lemma signed_crossing_reversed (x : vector) (s : segment) :
   signed_crossing x (reversed s) = (- signed_crossing x s)%Z.
 Proof.
-  rewrite !signed_crossing_by_height, spans_reversed. destruct (spans s (vy x)) eqn:spanning; [| reflexivity].
-  pose proof (reversed_at_height s (vy x) spanning) as same_place.
-  cbn [andb]. destruct (negative_spec (vx x - vx (point_at_height (reversed s) (vy x)))),
-    (negative_spec (vx x - vx (point_at_height s (vy x)))); try (exfalso; lra); [| reflexivity].
-  unfold spans in spanning. cbn [reversed source target].
-  destruct (at_most (vy (source s)) (vy x)), (at_most (vy (target s)) (vy x)); try discriminate; reflexivity.
+  pose proof (area_reversed s x) as turned. destruct s as [a b]. unfold signed_crossing, ray_crossing, reversed in *.
+  cbn [source target] in *. rewrite !orientation_by_area.
+  destruct (at_most (vy a) (vy x)), (at_most (vy b) (vy x)); cbn [Bool.eqb]; trivial;
+    compared_numbers (area (Segment a b) x ?= 0); compared_numbers (area (Segment b a) x ?= 0); trivial; exfalso; lra.
 Qed.
 
 (* No position is taken twice. *)
@@ -43,14 +31,26 @@ Definition apart_from_all (pieces : list segment) : Prop :=
   forall before e after f w, pieces = before ++ e :: after -> In f (before ++ after) ->
     strictly_inside w e -> ~ strictly_inside w f.
 
+Record share_ends_only (segments : list segment) : Prop := {
+  are_distinct : NoDup segments;
+  are_long : forall e, In e segments -> nonzero (along e);
+  nothing_inside : forall e f w, In e segments -> In f segments -> e <> f -> lies_on w f -> ~ strictly_inside w e;
+  have_same_ends : forall e f v w, In e segments -> In f segments ->
+    v = source e \/ v = target e -> w = source f \/ w = target f -> equal_vectors v w -> v = w }.
+
+(* A segment, in one of its directions. *)
+Definition directed (segments : list segment) (s : segment) : Prop := In s segments \/ In (reversed s) segments.
+
+Lemma directed_reversed (segments : list segment) (s : segment) : directed segments s -> directed segments (reversed s).
+Proof. unfold directed. rewrite reversed_twice. tauto. Qed.
+
 (* A set of points, of which only those off the pieces matter, and what is said to be to the right of pieces. *)
 Record ends_at_pieces (inside : vector -> bool) (right_inside : segment -> bool) (pieces : list segment) : Prop := {
-  pieces_have_length : forall e, In e pieces -> nonzero (along e);
-  pieces_have_nothing_in_common : apart_from_all pieces;
+  pieces_share_ends : share_ends_only pieces;
   same_of_equal : forall a b, equal_vectors a b -> inside a = inside b;
   same_off_pieces : forall a b, (forall w, lies_on w (Segment a b) -> off w pieces) -> inside a = inside b;
-  same_beside_pieces : forall e s w n, In e pieces -> s = e \/ s = reversed e -> strictly_inside w s ->
-    cross (along s) n < 0 -> eventually (fun d => inside (moved_along w n d) = right_inside s);
+  same_beside_pieces : forall s w n, directed pieces s -> strictly_inside w s -> cross (along s) n < 0 ->
+    eventually (fun d => inside (moved_along w n d) = right_inside s);
   nothing_far_away : exists limit, forall x, limit < vx x -> inside x = false }.
 
 Definition as_number (b : bool) : Z := if b then 1%Z else 0%Z.
@@ -64,13 +64,6 @@ Section Core.
   Let kept := kept_pieces right_inside pieces.
 
   Definition kept_sign (e : segment) : Z := (as_number (right_inside (reversed e)) - as_number (right_inside e))%Z.
-
-  Lemma kept_is (e s : segment) : In s (kept_piece right_inside e) ->
-    kept_piece right_inside e = [s] /\ (s = e \/ s = reversed e).
-  Proof.
-    unfold kept_piece. destruct (right_inside (reversed e)), (right_inside e); intros I;
-      try destruct I as [<- | []]; try destruct I; tauto.
-  Qed.
 
   Lemma crossings_of_kept (x : vector) :
     winding_number x kept = sum (map (fun e => (signed_crossing x e * kept_sign e)%Z) pieces).
@@ -104,7 +97,7 @@ Section Core.
     Definition free_at (a : Q) : Prop := forall e, In e pieces -> spans e y = true -> ~ place_at e == a.
 
     (* A piece that has a point to the right is met there. *)
-Lemma met_where_it_is (e : segment) (w : vector) : In e pieces -> vy w == y -> lies_on w e ->
+    Lemma met_where_it_is (e : segment) (w : vector) : In e pieces -> vy w == y -> lies_on w e ->
       spans e y = true /\ place_at e == vx w.
     Proof.
       intros E height on. destruct (pieces_avoid e E) as [no_source no_target].
@@ -134,102 +127,87 @@ Lemma met_where_it_is (e : segment) (w : vector) : In e pieces -> vy w == y -> l
     Proof.
       intros E spanning. pose proof (inside_at_height e y (pieces_avoid e E) spanning) as inside_.
       apply heights_of_spanning in spanning.
-      assert (found : exists up, (up = e \/ up = reversed e) /\ vy (source up) < vy (target up) /\
-        (direction_of e * kept_sign e)%Z = (as_number (right_inside (reversed up)) - as_number (right_inside up))%Z).
-      { unfold direction_of, kept_sign. destruct (at_most_spec (vy (source e)) y); [exists e | exists (reversed e)];
-          rewrite ?reversed_twice; cbn [reversed source target]; (split; [tauto |]); (split; [lra | lia]). }
-      destruct found as (up & which & rising & sign_). exists up. split; [exact sign_ |].
-      assert (inside_up : strictly_inside (point_at_height e y) up)
-        by (destruct which as [-> | ->]; [exact inside_ | now apply strictly_inside_reversed]).
-      assert (back : reversed up = e \/ reversed up = reversed e)
-        by (destruct which as [-> | ->]; [now right | left; apply reversed_twice]).
-      refine (eventually_implied _ _ _ (eventually_and _ _
-        (same_beside_pieces _ _ _ ends_ e up _ (Vector 1 0) E which inside_up ltac:(in_coordinates; lra))
-        (same_beside_pieces _ _ _ ends_ e (reversed up) _ (Vector (-1) 0) E back
+      assert (exists up, directed pieces up /\ strictly_inside (point_at_height e y) up /\
+        vy (source up) < vy (target up) /\
+        (direction_of e * kept_sign e)%Z = (as_number (right_inside (reversed up)) - as_number (right_inside up))%Z)
+        as (up & D & inside_up & rising & sign_).
+      { unfold directed, direction_of, kept_sign. destruct (at_most_spec (vy (source e)) y);
+          [exists e | exists (reversed e)];
+          rewrite ?reversed_twice; cbn [reversed source target]; (split; [tauto |]); (split; [| split; [lra | lia]]);
+          [exact inside_ | now apply strictly_inside_reversed]. }
+      exists up. split; [exact sign_ |]. refine (eventually_implied _ _ _ (eventually_and _ _
+        (same_beside_pieces _ _ _ ends_ up _ (Vector 1 0) D inside_up ltac:(in_coordinates; lra))
+        (same_beside_pieces _ _ _ ends_ (reversed up) _ (Vector (-1) 0) (directed_reversed _ _ D)
           (strictly_inside_reversed _ _ inside_up) ltac:(in_coordinates; lra)))).
       intros d [<- <-]. split; apply (same_of_equal _ _ _ ends_); unfold moved_along, place_at, point_at_height;
         split; cbn [vx vy]; ring.
     Qed.
 
-    (* At a height at which there are no ends. *)
-    Lemma core_at_height (fuel : nat) : forall a, free_at a -> (length (filter (meets_ahead a) pieces) <= fuel)%nat ->
-      winding_number (Vector a y) kept = as_number (inside (Vector a y)).
+    Definition ahead_of_point (a : Q) : list segment := filter (meets_ahead a) pieces.
+
+    Lemma ahead_is (a : Q) (e : segment) : In e (ahead_of_point a) <-> In e pieces /\ spans e y = true /\
+      a < place_at e.
+    Proof. unfold ahead_of_point. rewrite filter_In. destruct (meets_ahead_spec a e); intuition discriminate. Qed.
+
+    (* The pieces ahead are passed one by one. *)
+    Lemma passed_one_by_one (fuel : nat) : forall a, free_at a -> (length (ahead_of_point a) <= fuel)%nat ->
+      sum (map (fun e => (direction_of e * kept_sign e)%Z) (ahead_of_point a)) = as_number (inside (Vector a y)).
     Proof.
       induction fuel as [| fuel IH]; intros a free few.
-      - assert (none : forall e, In e pieces -> meets_ahead a e = false).
-        { intros e E. destruct (meets_ahead a e) eqn:ahead; [| reflexivity]. exfalso.
-          assert (In e (filter (meets_ahead a) pieces)) as found by (now apply filter_In).
-          destruct (filter (meets_ahead a) pieces); [destruct found | cbn in few; lia]. }
-        rewrite crossings_of_kept, sum_of_zeros by (intros e E; now rewrite crossing_at_height, none).
-        destruct (nothing_far_away _ _ _ ends_) as (limit & far).
-        rewrite (same_if_none_between a (Qmax (limit + 1) a)); trivial.
-        + rewrite far; [reflexivity |]. cbn [vx]. pose proof (Q.le_max_l (limit + 1) a). lra.
-        + apply Q.le_max_r.
-        + intros e E ahead. now rewrite none in ahead.
-      - destruct (filter (meets_ahead a) pieces) as [| first_ others] eqn:met.
-        { apply IH; [exact free |]. rewrite met. cbn. lia. }
-        destruct (least_of place_at (filter (meets_ahead a) pieces)) as (e & listed & least); [now rewrite met |].
-        apply filter_In in listed. destruct listed as [E ahead].
-        assert (least_piece : forall f, In f pieces -> meets_ahead a f = true -> place_at e <= place_at f).
-        { intros f F ahead_f. apply least. now apply filter_In. }
-        assert (facts : spans e y = true /\ a < place_at e) by (now destruct (meets_ahead_spec a e)).
-        destruct facts as [spanning before]. destruct (in_split _ _ E) as (earlier & later & pieces_are).
-        assert (part : incl (earlier ++ later) pieces).
-        { intros f F. rewrite pieces_are. apply in_app_iff in F. apply in_app_iff. cbn. tauto. }
-        assert (others_beyond : forall f, In f (earlier ++ later) -> meets_ahead a f = true ->
-          place_at e < place_at f).
-        { intros f F ahead_f. pose proof (part f F) as F'.
-          destruct (Q_dec (place_at e) (place_at f)) as [[less | more] | equal]; [exact less | |].
-          - pose proof (least_piece f F' ahead_f). lra.
-          - exfalso. destruct (meets_ahead_spec a f) as [[spanning_f _] |]; [| discriminate].
-            pose proof (inside_at_height e y (pieces_avoid e E) spanning) as inside_e.
-            pose proof (inside_at_height f y (pieces_avoid f F') spanning_f) as inside_f.
-            apply (pieces_have_nothing_in_common _ _ _ ends_ earlier e later f (point_at_height e y) pieces_are F
-              inside_e).
-            destruct inside_f as (k & range & X & Y). exists k. split; [exact range |].
-            split; [| exact Y]. unfold place_at in equal. now rewrite equal. }
-        (* a little further, and a little before *)
-        assert (gaps : eventually (fun d => forall f, In f (earlier ++ later) -> meets_ahead a f = true ->
-          place_at e + d < place_at f)).
-        { apply (eventually_for_all (fun f d => meets_ahead a f = true -> place_at e + d < place_at f)). intros f F.
-          destruct (meets_ahead a f) eqn:ahead_f.
-          - pose proof (others_beyond f F ahead_f). exists (place_at f - place_at e). split; [lra |]. intros; lra.
-          - exists 1. split; [lra |]. discriminate. }
-        destruct (beside_the_piece e E spanning) as (up & sign_ & beside_).
-        destruct (some_small _ (eventually_and _ _ gaps (eventually_and _ _ beside_
-          (eventually_below (place_at e - a) ltac:(lra)))))
-          as (d & _ & beyond & (after_number & before_number) & d_some & d_small).
-        rewrite (same_if_none_between a (place_at e - d)); [| lra | exact free |].
-        2: { intros f F ahead_f. pose proof (least_piece f F ahead_f). lra. }
-        assert (passed : meets_ahead (place_at e + d) e = false).
-        { destruct (meets_ahead_spec (place_at e + d) e) as [[_ wrong] |]; [lra | reflexivity]. }
-        assert (same_others : forall f, In f (earlier ++ later) -> meets_ahead (place_at e + d) f = meets_ahead a f).
-        { intros f F. destruct (meets_ahead a f) eqn:ahead_f.
-          - pose proof (beyond f F ahead_f). destruct (meets_ahead_spec a f) as [[spanning_f _] |]; [| discriminate].
-            destruct (meets_ahead_spec (place_at e + d) f) as [| no]; [reflexivity |]. exfalso. apply no.
-            split; [assumption | lra].
-          - destruct (meets_ahead_spec (place_at e + d) f) as [[spanning_f beyond_f] |]; [| reflexivity].
-            destruct (meets_ahead_spec a f) as [| no]; [discriminate |]. exfalso. apply no. split; [assumption | lra]. }
-        assert (free_after : free_at (place_at e + d)).
-        { intros f F spanning_f where_. rewrite pieces_are in F. apply in_elt_inv in F.
-          destruct F as [<- | F]; [lra |]. assert (ahead_f : meets_ahead a f = true).
-          { destruct (meets_ahead_spec a f) as [| no]; [reflexivity |]. exfalso. apply no. split; [assumption | lra]. }
-          pose proof (beyond f F ahead_f). lra. }
-        assert (fewer : (length (filter (meets_ahead (place_at e + d)) pieces) <= fuel)%nat).
-        { rewrite <- met in few. rewrite pieces_are in few |- *. rewrite !filter_app, !app_length in few |- *.
-          cbn [filter] in *. rewrite passed. rewrite ahead in few. cbn [length] in few.
-          assert (alike : forall l, incl l (earlier ++ later) ->
-            filter (meets_ahead (place_at e + d)) l = filter (meets_ahead a) l).
-          { intros l part'. apply filter_ext_in. intros f F. apply same_others, part', F. }
-          rewrite (alike earlier), (alike later); [lia | |]; intros f F; apply in_app_iff; tauto. }
-        specialize (IH (place_at e + d) free_after fewer).
-        assert (step : winding_number (Vector a y) kept =
-          (winding_number (Vector (place_at e + d) y) kept + direction_of e * kept_sign e)%Z).
-        { rewrite !crossings_of_kept, pieces_are, (sums_but_for_one _ _ (fun f =>
-            signed_crossing (Vector (place_at e + d) y) f * kept_sign f)%Z), !crossing_at_height, ahead, passed;
-              [lia |].
-          intros f F. now rewrite !crossing_at_height, (same_others f F). }
-        rewrite step, IH, before_number, after_number. lia.
+      all: destruct (list_eq_dec segment_dec (ahead_of_point a) []) as [none | some].
+      2: { destruct (ahead_of_point a); [contradiction | cbn in few; lia]. }
+      1, 2: destruct (nothing_far_away _ _ _ ends_) as (limit & far);
+        pose proof (Q.le_max_l (limit + 1) a); rewrite none, (same_if_none_between a (Qmax (limit + 1) a)), far;
+        trivial; [cbn [vx]; lra | apply Q.le_max_r |];
+        intros e E ahead; destruct (meets_ahead_spec a e) as [met |]; [| discriminate];
+        assert (I : In e (ahead_of_point a)) by (now apply ahead_is); rewrite none in I; destruct I.
+      destruct (least_of place_at _ some) as (e & listed & least).
+      pose proof listed as (E & spanning & before)%ahead_is.
+      assert (beyond_e : forall f, In f (ahead_of_point a) -> f <> e -> place_at e < place_at f).
+      { intros f I other. specialize (least f I). apply ahead_is in I. destruct I as (F & spanning_f & _).
+        destruct (Qlt_le_dec (place_at e) (place_at f)) as [| more]; [assumption | exfalso].
+        apply (nothing_inside _ (pieces_share_ends _ _ _ ends_) f e (point_at_height e y)); auto.
+        - now apply point_at_height_lies_on.
+        - destruct (inside_at_height f y (pieces_avoid f F) spanning_f) as (k & range & X & Y).
+          exists k. split; [exact range |]. split; [| exact Y]. rewrite <- X. fold (place_at e). fold (place_at f).
+          lra. }
+      (* a little further, and a little before *)
+      assert (gaps : eventually (fun d => forall f, In f (ahead_of_point a) -> f <> e -> place_at e + d < place_at f)).
+      { apply (eventually_for_all (fun f d => f <> e -> place_at e + d < place_at f)). intros f I.
+        destruct (segment_dec f e) as [same | other]; [exists 1; split; [lra | contradiction] |].
+        pose proof (beyond_e f I other). exists (place_at f - place_at e). split; [lra |]. intros; lra. }
+      destruct (beside_the_piece e E spanning) as (up & sign_ & beside_).
+      destruct (some_small _ (eventually_and _ _ gaps (eventually_and _ _ beside_
+        (eventually_below (place_at e - a) ltac:(lra)))))
+        as (d & _ & beyond & (after_number & before_number) & d_some & d_small).
+      assert (others : forall f, In f (ahead_of_point a) <-> In f (e :: ahead_of_point (place_at e + d))).
+      { intros f. cbn [In]. rewrite (ahead_is (place_at e + d)). split.
+        - intros I. destruct (segment_dec f e) as [-> | other]; [now left | right]. specialize (beyond f I other).
+          apply ahead_is in I. tauto.
+        - intros [<- | (F & spanning_f & ahead_f)]; [exact listed |]. apply ahead_is. split; [exact F |].
+          split; [exact spanning_f | lra]. }
+      assert (one_less : Permutation (ahead_of_point a) (e :: ahead_of_point (place_at e + d))).
+      { pose proof (are_distinct _ (pieces_share_ends _ _ _ ends_)).
+        apply NoDup_Permutation; [now apply NoDup_filter | | exact others].
+        constructor; [intros (_ & _ & wrong)%ahead_is; lra | now apply NoDup_filter]. }
+      rewrite (sum_of_permutation _ _ (Permutation_map _ one_less)). cbn [map]. unfold sum at 1. cbn [fold_right].
+      fold (sum (map (fun e => (direction_of e * kept_sign e)%Z) (ahead_of_point (place_at e + d)))).
+      rewrite IH, sign_, (same_if_none_between a (place_at e - d)), before_number, after_number;
+        [lia | lra | exact free | | |].
+      - intros f F ahead_f. destruct (meets_ahead_spec a f); [| discriminate].
+        enough (place_at e <= place_at f) by lra. now apply least, ahead_is.
+      - intros f F spanning_f where_. assert (I : In f (ahead_of_point a))
+          by (apply ahead_is; split; [| split]; trivial; lra).
+        apply others in I. destruct I as [<- | (_ & _ & I)%ahead_is]; lra.
+      - apply Permutation_length in one_less. cbn [length] in one_less. lia.
+    Qed.
+
+    (* At a height at which there are no ends. *)
+    Lemma core_at_height (a : Q) : free_at a -> winding_number (Vector a y) kept = as_number (inside (Vector a y)).
+    Proof.
+      intros free. rewrite <- (passed_one_by_one _ a free (le_n _)), crossings_of_kept. unfold ahead_of_point, sum.
+      clear. induction pieces as [| e l IH]; [reflexivity |]. cbn [map fold_right filter].
+      rewrite IH, crossing_at_height. now destruct (meets_ahead a e).
     Qed.
   End OneHeight.
 
@@ -252,7 +230,7 @@ Lemma met_where_it_is (e : segment) (w : vector) : In e pieces -> vy w == y -> l
     assert (same_number : winding_number x kept = winding_number (moved (shifted x) d) kept).
     { unfold winding_number. f_equal. apply map_ext_in. intros s S. symmetry. now apply same_crossing. }
     rewrite same_number. destruct (moved (shifted x) d) as [a y]. cbn [vy] in avoid.
-    apply (core_at_height y avoid (length (filter (meets_ahead y a) pieces))); [| lia].
+    apply (core_at_height y avoid).
     intros e E spanning where_. apply (free e E).
     refine (lies_on_equal (point_at_height e y) _ e _ (point_at_height_lies_on e y spanning)).
     split; [exact where_ | reflexivity].

@@ -54,23 +54,18 @@ Proof.
   destruct (multiple_of (along t) (along s) long) as (c & cx & cy); [unfold cross in *; lra |].
   pose proof (square_positive _ long) as square.
   assert (some : 0 < c) by (unfold dot in *; rewrite cx, cy in same_way; nra).
-  set (d := along s) in *.
-  assert (whole : equal_vectors (along (Segment (source s) (target t))) (moved_along d d c))
-    by (unfold d in *; clear - meet cx cy; by_computing).
-  assert (not_none : forall k, 0 < k -> ~ (k * vx d == 0 /\ k * vy d == 0)).
-  { intros k positive_ [X Y]. apply Qmult_integral in X, Y. apply long. split; lra. }
+  assert (whole : equal_vectors (along (Segment (source s) (target t))) (moved_along (along s) (along s) c))
+    by (clear - meet cx cy; by_computing).
+  assert (whole_long : nonzero (along (Segment (source s) (target t)))).
+  { destruct whole as [wx wy]. intros [X Y]. rewrite wx in X. rewrite wy in Y. unfold moved_along in X, Y.
+    cbn [vx vy] in X, Y.
+    apply long. split; apply (Qmult_inj_l _ _ (1 + c)); lra. }
   assert (between_ : is_between_ends (target s) (source s) (target t) = true).
-  { unfold is_between_ends. destruct (is_on_spec (target s) (Segment (source s) (target t))) as [_ | off_].
-    - destruct (same_point_spec (target s) (source s)) as [equal |];
-        [destruct (not_none 1); [lra |]; unfold d; clear - equal; by_computing |].
-      destruct (same_point_spec (target s) (target t)) as [equal |]; [| reflexivity].
-      destruct (not_none c some). unfold d in *. clear - equal meet cx cy. by_computing.
-    - exfalso. apply off_. assert (value : / (1 + c) * (1 + c) == 1) by (field; lra).
-      exists (/ (1 + c)). split; [split; [apply Qlt_le_weak, Qinv_lt_0_compat; lra | nra] |].
-      set (k := / (1 + c)) in *. clearbody k. destruct whole as [wx wy], meet as [mx my]. unfold d in *.
-      to_coordinates. split; by_equations. }
-  split; [| intros [X Y]; destruct whole as [wx wy]; rewrite wx in X; rewrite wy in Y;
-    apply (not_none (1 + c)); [lra |]; unfold moved_along in *; cbn [vx vy] in *; split; lra].
+  { apply is_between_ends_iff. split; [intros [X Y]; apply whole_long; clear - X Y; by_computing |].
+    assert (value : / (1 + c) * (1 + c) == 1) by (field; lra). exists (/ (1 + c)).
+    split; [split; [apply Qinv_lt_0_compat; lra | nra] |]. set (k := / (1 + c)) in *. clearbody k.
+    destruct whole as [wx wy], meet as [mx my]. to_coordinates. split; by_equations. }
+  split; [| exact whole_long].
   rewrite (on_divided _ _ _ x between_).
   assert (same : lies_on x (Segment (target s) (target t)) <-> lies_on x t).
   { destruct t as [v b]. split; apply lies_on_of_equal; try reflexivity; [exact meet | now symmetry]. }

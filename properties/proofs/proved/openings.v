@@ -1,14 +1,12 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Erosion, opening and closing, of where one region is inside another (inner_fit_program.v). The erosion is what the
    chains found there go round; the opening is its sum with b, together with b moved along the edges and to the points
-   at
-   which it just fits. Chains that go round something are the only ones that matter, so all are regions by a rule. *)
+   at which it just fits. Chains that go round something are the only ones that matter, so all are regions by a rule. *)
 From Coq Require Import QArith Qminmax Lqa ZArith Lia Bool List Permutation.
-From Oplus Require Import specification checker convolution signed_crossings shifted_ray small_numbers regions
-  winding_number_of_the_sum meeting_of_segments neighbourhoods interiors_meet left_of_an_edge theorem_4_2_1
-  homogeneous_points specification_bridge collision_is_complete filling kept_pieces_go_round rule_of_sides
-  region_of_pieces sum_program sum_is_right sum_of_uncovered_pieces coordinates open_sum_program open_sums turned_chains
-  inner_fit_program complement_in_a_frame regions_by_rule canonical_regions inner_fit_is_right swept_regions.
+From Oplus Require Import specification checker regions_and_sums homogeneous_points specification_bridge
+  collision_is_complete filling kept_pieces_go_round rule_of_sides region_of_pieces sum_program sum_is_right
+  sum_of_uncovered_pieces coordinates open_sum_program open_sums turned_chains inner_fit_program complement_in_a_frame
+  regions_by_rule canonical_regions inner_fit_is_right swept_regions.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -180,7 +178,7 @@ Section Operations.
     intros (l & L & T)%in_concat. apply in_families in L. destruct L as [-> | (s & S & L)].
     - destruct (quick_sum_is_valid _ _ (proj1 erosion_is_valid) b_region) as [(long & _) _].
       exact (region_edges_are_directions _ long t T).
-    - pose proof (proj1 b_region) as long. exact (swept_segments_are_long _ s long l t L T).
+    - exact (swept_segments_are_long _ s (proj1 b_region) l t L T).
   Qed.
 
   Let is_covered_by_b (x : point) := exists t z, fits t f /\ member z b /\ equal_points x (sum_of_points t z).
@@ -206,29 +204,25 @@ Section Operations.
     2: { split; intros (t & z & place & in_b & equal); exists t, z; (split; [| tauto]);
          now apply places_are. }
     apply (members_of_a_closed_set some_nonzero all_families families_are_closed families_are_long (nothing_is_zero _)).
-    - intros y free. rewrite by_some_nonzero. split.
+    - intros y free. rewrite by_some_nonzero.
+      assert (free_swept : forall s, In s (exact_fits f) -> forall l, In l (swept (as_region b) s) ->
+        off (as_vector y) l).
+      { intros s S l L e E. apply free, in_concat. exists l. split; [| exact E]. right. apply in_flat_map.
+        now exists s. }
+      split.
       + intros (t & z & place & in_b & equal). destruct (placements_are t place) as [in_r | (s & S & on)].
         * eexists. split; [now left |].
           assert (in_sum : member y (quick_sum (erosion a b) b)).
           { apply (quick_sum_is_the_sum _ _ (proj1 erosion_is_valid) b_region). exists t, z. tauto. }
           apply member_by_edges in in_sum. destruct in_sum as [(e & E & on) | round]; [| exact round].
           destruct (free e ltac:(apply in_concat; eexists; split; [now left | exact E]) on).
-        * assert (free_s : forall l, In l (swept (as_region b) s) -> off (as_vector y) l).
-          { intros l L e E. apply free, in_concat. exists l. split; [| exact E]. right. apply in_flat_map. now exists s.
-            }
-          pose proof (proj1 b_region) as long.
-          destruct (proj1 (inside_swept _ s long (as_vector y) free_s)) as (l & L & round).
-          { exists (as_vector t), (as_vector z). split; [exact on |]. split; [now apply member_by_edges | exact equal].
-            }
+        * destruct (proj1 (inside_swept _ s (proj1 b_region) (as_vector y) (free_swept s S))) as (l & L & round).
+          { exists (as_vector t), (as_vector z). split; [exact on |]. now rewrite <- member_by_edges. }
           exists l. split; [| exact round]. right. apply in_flat_map. now exists s.
-      + intros (l & L & round). assert (free_l : off (as_vector y) l) by (intros e E; apply free, in_concat;
-          now exists l).
-        pose proof L as which. apply in_families in which. destruct which as [-> | (s & S & L')].
+      + intros (l & [-> | (s & S & L)]%in_families & round).
         * apply sums_are_covered, member_by_edges. now right.
-        * apply (swept_is_covered s y S). pose proof (proj1 b_region) as long.
-          apply inside_swept; trivial; [| now exists l].
-          intros l' L'' e E. apply free, in_concat. exists l'. split; [| exact E]. right. apply in_flat_map.
-          now exists s.
+        * apply (swept_is_covered s y S), inside_swept; [exact (proj1 b_region) | exact (free_swept s S) | now exists
+            l].
     - intros y t (l & L & T)%in_concat on. apply in_families in L. destruct L as [-> | (s & S & L)].
       + apply sums_are_covered, member_by_edges. left. now exists t.
       + apply (swept_is_covered s y S). exact (on_swept _ s _ l t L T on).

@@ -2,11 +2,11 @@
 (* What oplus-proved computes, and what that is: the one place that says which functions the program is made of.
    Vertices of its regions may touch edges. *)
 From Coq Require Import QArith ZArith Bool List Permutation.
-From Oplus Require Import specification convolution regions winding_number_of_the_sum theorem_4_2_1 specification_bridge
-  homogeneous_points location pieces collision_is_complete checked_collision sum_program sum_of_uncovered_pieces
-  touching_vertices complement_in_a_frame open_sum_program open_sums inner_fit_program inner_fit_is_right polygons
-  canonical_chains canonical_regions walked_again boolean_operations complements openings simple_chain
-  written_regions.
+From Oplus Require Import specification convolution regions winding_number_of_the_sum theorem_4_2_1
+  specification_bridge homogeneous_points location pieces collision_is_complete checked_collision sum_program
+  sum_of_uncovered_pieces touching_vertices complement_in_a_frame open_sum_program open_sums inner_fit_program
+  inner_fit_is_right polygons canonical_chains canonical_regions walked_again boolean_operations complements openings
+  simple_chain written_regions.
 Import ListNotations.
 
 (* Whether the theorems are about the region. *)
@@ -74,9 +74,11 @@ Definition placements_in_order (f : placements) : placements :=
 Lemma in_order_is_the_same (s : open_region) (f : placements) (x : point) :
   (open_member x (open_in_order s) <-> open_member x s) /\ (fits x (placements_in_order f) <-> fits x f).
 Proof.
-  pose proof (written_points_are (isolated_points s) x) as of_open. pose proof (written_points_are (fit_points f) x) as of_fit.
+  pose proof (written_points_are (isolated_points s) x) as of_open.
+  pose proof (written_points_are (fit_points f) x) as of_fit.
   split; [| unfold fits, placements_in_order; cbn [fit_chains fit_edges fit_points]; now rewrite of_fit].
-  assert (none : forall l, (forall v, In v l -> ~ equal_points x v) <-> ~ exists v, In v l /\ equal_points x v) by firstorder.
+  assert (none : forall l, (forall v, In v l -> ~ equal_points x v) <-> ~ exists v, In v l /\
+    equal_points x v) by firstorder.
   unfold open_member, open_in_order. cbn [open_chains dangling_edges isolated_points]. now rewrite !none, of_open.
 Qed.
 
@@ -102,7 +104,8 @@ Theorem proved_no_fit_is_the_no_fit (a b : polygonal_region) : is_covered a = tr
   is_no_fit a b (proved_no_fit a b).
 Proof.
   intros a_valid b_valid x. apply is_covered_is_right in a_valid, b_valid. destruct a_valid, b_valid.
-  unfold proved_no_fit. rewrite (proj1 (in_order_is_the_same _ (Placements [] [] []) x)). etransitivity; [apply (no_fit_is_the_no_fit (prepared_region a) (prepared_region b));
+  unfold proved_no_fit. rewrite (proj1 (in_order_is_the_same _ (Placements [] [] []) x)).
+  etransitivity; [apply (no_fit_is_the_no_fit (prepared_region a) (prepared_region b));
     trivial |].
   split; intros (y & z & in_a & in_b & equal); exists y, z; rewrite !prepared_inner_points in *; tauto.
 Qed.
@@ -179,26 +182,32 @@ Proof.
     intros y. now rewrite same_p, same_q.
 Qed.
 
+Lemma results_are_read_again (p q : polygonal_region) : is_covered p = true -> is_covered q = true ->
+  forall polygons, In polygons [proved_sum p q; polygons_of_open (proved_open_sum p q);
+    polygons_of_open (proved_no_fit p q); proved_union p q; proved_intersection p q; proved_difference p q] ->
+  is_covered (region_of_polygons polygons) = true /\ forall c, In c (region_of_polygons polygons) -> is_simple_chain c.
+Proof.
+  intros p_valid q_valid polygons. apply is_covered_is_right in p_valid, q_valid.
+  destruct p_valid as [p_valid _], q_valid as [q_valid q_above].
+  pose proof (two_are_closed (prepared_region p) (prepared_region q)) as closed.
+  pose proof (two_are_long (prepared_region p) (prepared_region q) p_valid q_valid) as long.
+  pose proof (half_turned_is_valid _ q_valid q_above) as [turned _].
+  intros [<- | [<- | [<- | [<- | [<- | [<- | []]]]]]].
+  - exact (sums_are_read_again _ _ p_valid q_valid).
+  - exact (sums_are_read_again _ _ p_valid q_valid).
+  - exact (sums_are_read_again _ _ p_valid turned).
+  - exact (regions_by_rule_are_read_again some_positive _ closed long eq_refl).
+  - exact (regions_by_rule_are_read_again all_positive _ closed long eq_refl).
+  - exact (regions_by_rule_are_read_again first_positive _ closed long eq_refl).
+Qed.
+
 (* Theorem. What is written of these has simple chains: they pass no point twice, and only edges that follow each other
    meet. *)
 Theorem results_are_simple (p q : polygonal_region) : is_covered p = true -> is_covered q = true ->
   forall polygons c, In polygons [proved_sum p q; polygons_of_open (proved_open_sum p q);
     polygons_of_open (proved_no_fit p q); proved_union p q; proved_intersection p q; proved_difference p q] ->
   In c (region_of_polygons polygons) -> is_simple_chain c.
-Proof.
-  intros p_valid q_valid polygons c. apply is_covered_is_right in p_valid, q_valid.
-  destruct p_valid as [p_valid _], q_valid as [q_valid q_above].
-  pose proof (two_are_closed (prepared_region p) (prepared_region q)) as closed.
-  pose proof (two_are_long (prepared_region p) (prepared_region q) p_valid q_valid) as long.
-  pose proof (half_turned_is_valid _ q_valid q_above) as [turned _].
-  unfold region_of_polygons. intros [<- | [<- | [<- | [<- | [<- | [<- | []]]]]]].
-  - exact (written_sums_are_simple _ _ c p_valid q_valid).
-  - exact (written_sums_are_simple _ _ c p_valid q_valid).
-  - exact (written_sums_are_simple _ _ c p_valid turned).
-  - exact (written_regions_by_rule_are_simple some_positive _ c closed long eq_refl).
-  - exact (written_regions_by_rule_are_simple all_positive _ c closed long eq_refl).
-  - exact (written_regions_by_rule_are_simple first_positive _ c closed long eq_refl).
-Qed.
+Proof. intros p_valid q_valid polygons c which. now apply (results_are_read_again p q p_valid q_valid). Qed.
 
 (* Theorem. What is written of these is accepted again; of the sets that are open, their chains are. *)
 Theorem results_are_covered (p q : polygonal_region) : is_covered p = true -> is_covered q = true ->
@@ -206,20 +215,7 @@ Theorem results_are_covered (p q : polygonal_region) : is_covered p = true -> is
     (proved_no_fit p q);
     proved_union p q; proved_intersection p q; proved_difference p q] ->
   is_covered (region_of_polygons polygons) = true.
-Proof.
-  intros p_valid q_valid polygons. apply is_covered_is_right in p_valid, q_valid.
-  destruct p_valid as [p_valid _], q_valid as [q_valid q_above].
-  pose proof (two_are_closed (prepared_region p) (prepared_region q)) as closed.
-  pose proof (two_are_long (prepared_region p) (prepared_region q) p_valid q_valid) as long.
-  pose proof (half_turned_is_valid _ q_valid q_above) as [turned _].
-  unfold is_covered, region_of_polygons. intros [<- | [<- | [<- | [<- | [<- | [<- | []]]]]]].
-  - exact (written_sums_are_accepted _ _ p_valid q_valid).
-  - exact (written_sums_are_accepted _ _ p_valid q_valid).
-  - exact (written_sums_are_accepted _ _ p_valid turned).
-  - exact (written_regions_by_rule_are_accepted some_positive _ closed long eq_refl).
-  - exact (written_regions_by_rule_are_accepted all_positive _ closed long eq_refl).
-  - exact (written_regions_by_rule_are_accepted first_positive _ closed long eq_refl).
-Qed.
+Proof. intros p_valid q_valid polygons which. now apply (results_are_read_again p q p_valid q_valid). Qed.
 
 (* Erosion, opening and closing, of a region that has points. *)
 Definition proved_erosion : polygonal_region -> polygonal_region -> list polygon_with_holes := of_prepared erosion.
@@ -246,6 +242,23 @@ Proof.
     intros y. unfold is_moved_into. setoid_rewrite same_p. setoid_rewrite same_q. reflexivity.
 Qed.
 
+(* Theorem. What is written of these is accepted again, and its chains are simple. *)
+Theorem erosions_openings_and_closings_are_covered (p q : polygonal_region) :
+  is_covered p = true -> is_covered q = true -> has_points q = true ->
+  forall polygons, In polygons [proved_erosion p q; proved_opening p q; proved_closing p q] ->
+  is_covered (region_of_polygons polygons) = true /\ forall c, In c (region_of_polygons polygons) -> is_simple_chain c.
+Proof.
+  intros [p_valid p_simple]%is_covered_is_right [q_valid q_simple]%is_covered_is_right some%has_points_is polygons.
+  destruct (quick_sum_is_valid _ _ p_valid q_valid) as [sum_valid sum_simple].
+  intros [<- | [<- | [<- | []]]]; refine (regions_by_rule_are_read_again some_nonzero _ _ _ (nothing_is_zero _)).
+  - exact (fit_edges_are_closed _ _).
+  - exact (fit_edges_are_long _ _ p_valid p_simple q_valid q_simple some).
+  - exact (families_are_closed _ _).
+  - exact (families_are_long _ _ p_valid p_simple q_valid q_simple some).
+  - exact (fit_edges_are_closed _ _).
+  - exact (fit_edges_are_long _ _ sum_valid sum_simple q_valid q_simple some).
+Qed.
+
 (* What is unbounded, as the holes in it, and what is in these. *)
 Definition unbounded_polygons := (list chain * list polygon_with_holes)%type.
 Definition region_of_unbounded (s : unbounded_polygons) : polygonal_region := fst s ++ region_of_polygons (snd s).
@@ -254,13 +267,6 @@ Definition written_unbounded (r : polygonal_region) : unbounded_polygons :=
   let (polygons, holes) := partition (fun p => Qle_bool 0 (twice_the_area (fst p))) (written_polygons r) in
   (region_of_polygons holes, polygons).
 
-Lemma partition_permutes {A : Type} (f : A -> bool) (l : list A) :
-  Permutation (snd (partition f l) ++ fst (partition f l)) l.
-Proof.
-  induction l as [| a l IH]; [reflexivity |]. cbn [partition]. destruct (partition f l) as [left right].
-  destruct (f a); cbn [fst snd app] in *; [rewrite <- Permutation_middle |]; now constructor.
-Qed.
-
 Lemma written_unbounded_is_the_region (r : polygonal_region) (x : point) :
   unbounded_member x (region_of_unbounded (written_unbounded r)) <-> unbounded_member x r.
 Proof.
@@ -268,9 +274,9 @@ Proof.
   transitivity (is_inner_point x (region_of_polygons (written_polygons r)));
     [| apply written_polygons_are_the_region].
   apply chains_in_another_order. unfold region_of_polygons. generalize (written_polygons r). intros all.
-  pose proof (partition_permutes (fun p : polygon_with_holes => Qle_bool 0 (twice_the_area (fst p))) all) as permuted.
-  unfold polygon_with_holes in *. destruct (partition _ all). cbn [fst snd] in *. rewrite <- flat_map_app.
-  now apply Permutation_flat_map.
+  unfold polygon_with_holes in *. destruct (partition _ all) as [polygons holes] eqn:parts. cbn [fst snd].
+  rewrite <- flat_map_app. apply Permutation_flat_map. rewrite (partition_permutes _ _ _ _ parts).
+  apply Permutation_app_comm.
 Qed.
 
 Definition proved_complement (p : polygonal_region) : unbounded_polygons :=

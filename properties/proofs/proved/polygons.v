@@ -63,16 +63,19 @@ Proof.
   - rewrite IH. rewrite perm_swap. constructor. symmetry. apply Permutation_middle.
 Qed.
 
+Lemma partition_permutes {A : Type} (f : A -> bool) (l : list A) : forall yes no, partition f l = (yes, no) ->
+  Permutation l (yes ++ no).
+Proof.
+  induction l as [| a l IH]; intros yes no parts; [now injection parts as <- <- |]. cbn [partition] in parts.
+  destruct (partition f l) as [y n]. specialize (IH y n eq_refl).
+  destruct (f a); injection parts as <- <-; rewrite IH; [reflexivity | apply Permutation_middle].
+Qed.
+
 (* Each chain is there once. *)
 Lemma chains_of_polygons (r : polygonal_region) : Permutation (flat_map chains_of_polygon (polygons_of r)) r.
 Proof.
   unfold polygons_of. destruct (partition _ r) as [outer holes] eqn:parts.
-  assert (both : Permutation r (outer ++ holes)).
-  { revert outer holes parts. induction r as [| c r IH]; intros outer holes parts; [now injection parts as <- <- |].
-    cbn [partition] in parts. destruct (partition _ r) as [o h]. specialize (IH o h eq_refl).
-    destruct (Qle_bool 0 (twice_the_area c)); injection parts as <- <-; rewrite IH; [reflexivity | apply
-      Permutation_middle]. }
-  rewrite both. clear parts both r.
+  rewrite (partition_permutes _ _ _ _ parts). clear parts r.
   assert (all : forall of ps, Permutation (flat_map chains_of_polygon (fold_left (with_hole_inside of) holes ps))
     (flat_map chains_of_polygon ps ++ holes)).
   { intros of. induction holes as [| hole holes IH]; intros ps; cbn [fold_left]; [now rewrite app_nil_r |].

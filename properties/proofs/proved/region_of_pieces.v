@@ -1,10 +1,10 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* The region of a set that ends at pieces of segments: chains of the pieces that are kept. As many of these leave a
-   point as enter it (kept_pieces_balance.v), so walks take them all; the region is valid; and it is the closure of
+   point as enter it (beside_a_vertex.v), so walks take them all; the region is valid; and it is the closure of
    the set's interior. *)
 From Coq Require Import QArith Qminmax Lqa ZArith Lia Bool List Permutation.
 From Oplus Require Import balanced_edges regions_and_sums right_of_an_edge observation_2_2_4 naive_collision
-  collision_is_sound pieces beside_a_piece filling kept_pieces_go_round cut_pieces kept_pieces_balance walks.
+  collision_is_sound pieces beside_a_piece filling kept_pieces_go_round cut_pieces beside_a_vertex walks.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -18,21 +18,6 @@ Lemma permuted_winding_number (x : vector) (l m : list segment) :
   Permutation l m -> winding_number x l = winding_number x m.
 Proof. intros permuted. unfold winding_number, sum. induction permuted; cbn; lia. Qed.
 
-Lemma same_point_is (v w : vector) : is_reduced v -> is_reduced w -> as_number (same_point v w) = one_if v w.
-Proof.
-  intros v_reduced w_reduced. unfold one_if. destruct (same_point_spec v w) as [equal | differ].
-  - apply reduced_of_equal in equal. rewrite v_reduced, w_reduced in equal.
-    destruct (vector_dec v w); [reflexivity | contradiction].
-  - destruct (vector_dec v w) as [-> |]; [exfalso; apply differ; split; reflexivity | reflexivity].
-Qed.
-
-Lemma between_near (radius : Q) (x y : vector) : 0 < radius ->
-  eventually (fun t => within radius x (Vector ((1 - t) * vx x + t * vx y) ((1 - t) * vy x + t * vy y))).
-Proof.
-  intros R. refine (eventually_implied _ _ _ (small_steps_stay_within radius x (minus y x) R)).
-  intros t. unfold within, moved_along, minus. cbn [vx vy]. lra.
-Qed.
-
 Section Region.
   Variable segments : list segment.
   Hypothesis all_long : forall t, In t segments -> nonzero (along t).
@@ -42,135 +27,55 @@ Section Region.
   Hypothesis ends_ : ends_at_pieces inside right_inside pieces.
   Let kept := kept_pieces right_inside pieces.
 
-  Lemma surplus_of_kept (v : vector) (l : list segment) : is_reduced v -> incl l pieces ->
-    surplus v (flat_map (kept_piece right_inside) l) = weighted right_inside (leaves v) l.
+  Let parts := pieces_share_ends _ _ _ ends_.
+
+  Lemma of_kept (s : segment) : In s kept <-> directed pieces s /\ right_inside (reversed s) = true /\
+    right_inside s = false.
   Proof.
-    intros v_reduced part. induction l as [| e l IH]; [reflexivity |].
-    assert (E : In e pieces) by (apply part; now left).
-    destruct (ends_are_reduced segments all_long e E) as [s_reduced t_reduced].
-    cbn [flat_map]. unfold surplus at 1. rewrite map_app, sum_of_both.
-    fold (surplus v (flat_map (kept_piece right_inside) l)). rewrite IH by (intros f F; apply part; now right).
-    unfold weighted. cbn [map]. unfold sum at 2. cbn [fold_right]. f_equal.
-    unfold kept_piece, kept_sign, leaves. rewrite !same_point_is by assumption.
-    destruct (right_inside (reversed e)), (right_inside e); unfold sum;
-      cbn [map fold_right as_number reversed source target]; lia.
+    unfold kept, kept_pieces, directed, kept_piece. rewrite in_flat_map. split.
+    - intros (e & E & I). destruct (right_inside (reversed e)) eqn:l, (right_inside e) eqn:r;
+        try destruct I as [<- | []]; try destruct I; rewrite ?reversed_twice; tauto.
+    - intros ([S | S] & l & r); [exists s | exists (reversed s)]; (split; [exact S |]); rewrite ?reversed_twice, l, r;
+        now left.
+  Qed.
+
+  Lemma kept_is_distinct : NoDup kept.
+  Proof.
+    set (is_kept := fun s => right_inside (reversed s) && negb (right_inside s)).
+    apply (Permutation_NoDup (l := filter is_kept (pieces ++ map reversed pieces))).
+    - unfold kept, kept_pieces. generalize pieces. intros l. induction l as [| e l IH]; [reflexivity |].
+      rewrite filter_app in *. cbn [map filter flat_map]. unfold kept_piece.
+      destruct (is_kept e) eqn:k, (is_kept (reversed e)) eqn:k'; unfold is_kept in k, k'; rewrite reversed_twice in k';
+        destruct (right_inside (reversed e)), (right_inside e); try discriminate; trivial; cbn [app];
+          [now constructor |].
+      rewrite <- IH. symmetry. apply Permutation_middle.
+    - now apply NoDup_filter, both_directions_are_distinct.
+  Qed.
+
+  Theorem kept_share_ends : share_ends_only kept.
+  Proof.
+    apply (some_directions pieces parts); [exact kept_is_distinct |]. intros s (D & _ & r)%of_kept.
+    split; [exact D |]. intros (_ & l & _)%of_kept. rewrite reversed_twice in l. congruence.
   Qed.
 
   (* Theorem. As many leave as enter. *)
   Theorem kept_is_balanced : is_balanced kept.
   Proof.
-    intros v. set (ends_in := fun e => source e = v \/ target e = v).
-    destruct (Exists_dec ends_in pieces) as [some | none].
-    { intros e. unfold ends_in. destruct (vector_dec (source e) v), (vector_dec (target e) v); tauto. }
-    - apply Exists_exists in some. destruct some as (e & E & end_).
-      assert (v_end : v = source e \/ v = target e) by (destruct end_; [left | right]; congruence).
-      destruct (ends_are_reduced segments all_long e E) as [s_reduced t_reduced].
-      unfold kept, kept_pieces. rewrite surplus_of_kept;
-        [| destruct v_end as [-> | ->]; assumption | apply incl_refl].
-      apply (balanced_at _ _ _ ends_).
-      + intros f. now apply pieces_are_in_order.
-      + intros f F. now apply (no_vertex_is_inside segments all_long e f v).
-    - assert (no_end : forall e, In e pieces -> source e <> v /\ target e <> v).
-      { intros e E. split; intros end_; apply none, Exists_exists; exists e; split; trivial; [now left | now right]. }
-      unfold kept, kept_pieces. revert no_end. generalize pieces. intros l no_end.
-      induction l as [| e l IH]; [reflexivity |]. cbn [flat_map]. unfold surplus. rewrite map_app, sum_of_both.
-      fold (surplus v (flat_map (kept_piece right_inside) l)).
-      rewrite IH by (intros f F; apply no_end; now right). destruct (no_end e (or_introl eq_refl)) as [a b].
-      unfold kept_piece. destruct (right_inside (reversed e)), (right_inside e); unfold sum;
-        cbn [map fold_right reversed source target]; unfold one_if;
-        destruct (vector_dec (source e) v), (vector_dec (target e) v); try contradiction; reflexivity.
+    intros v. rewrite <- (left_and_right_of_rays pieces parts inside right_inside (same_off_pieces _ _ _ ends_)
+      (same_beside_pieces _ _ _ ends_) as_number v).
+    unfold rays, kept, kept_pieces. generalize pieces. intros l. induction l as [| e l IH]; [reflexivity |].
+    unfold surplus in *. rewrite filter_app in *. cbn [flat_map map filter]. rewrite !map_app, !sum_of_both in *.
+    rewrite IH.
+    assert (twice : right_inside (reversed (reversed e)) = right_inside e) by now rewrite reversed_twice.
+    change (source (reversed e)) with (target e). unfold kept_piece, one_if, sum.
+    destruct (vector_dec (source e) v) as [s_is |], (vector_dec (target e) v) as [t_is |],
+      (right_inside (reversed e)) eqn:left_, (right_inside e) eqn:right_;
+      cbn [map fold_right reversed source target as_number]; rewrite ?twice, ?left_, ?right_, ?s_is, ?t_is;
+      repeat (destruct (vector_dec _ _)); try contradiction; cbn [as_number]; lia.
   Qed.
 
   Corollary chains_of_kept : Permutation (region_edges (chains_of (length kept) kept)) kept.
   Proof. apply chains_take_all; [lia | exact kept_is_balanced]. Qed.
-
-  Lemma inside_of_kept (e s : segment) (w : vector) : In s (kept_piece right_inside e) ->
-    strictly_inside w s <-> strictly_inside w e.
-  Proof.
-    intros I. apply kept_is in I. destruct I as [_ [-> | ->]]; [tauto |]. split; [| apply strictly_inside_reversed].
-    intros inside_. apply strictly_inside_reversed in inside_. now rewrite reversed_twice in inside_.
-  Qed.
-
-  Lemma different_kept (s t : segment) : In s kept -> In t kept -> s <> t -> no_common_inside s t.
-  Proof.
-    intros S T differ w in_s in_t. apply in_flat_map in S, T. destruct S as (e & E & S), T as (f & F & T).
-    apply (inside_of_kept e s w S) in in_s. apply (inside_of_kept f t w T) in in_t.
-    refine (different_pieces segments all_long e f E F _ w in_s in_t). intros <-.
-    destruct (kept_is right_inside e s S) as [one _], (kept_is right_inside e t T) as [two _]. congruence.
-  Qed.
-
-  Lemma kept_is_distinct : NoDup kept.
-  Proof.
-    unfold kept, kept_pieces. assert (distinct_ : NoDup pieces) by apply NoDup_nodup.
-    assert (part : incl pieces pieces) by apply incl_refl.
-    revert distinct_ part. generalize pieces at 1 2 4. intros l.
-    induction l as [| e l IH]; [constructor |].
-    intros distinct_ part. inversion distinct_ as [| ? ? new rest]; subst. cbn [flat_map].
-    assert (rest_is : NoDup (flat_map (kept_piece right_inside) l))
-      by (apply IH; trivial; intros f F; apply part; now right).
-    destruct (kept_piece right_inside e) as [| s more] eqn:kept_; [exact rest_is |].
-    assert (S : In s (kept_piece right_inside e)) by (rewrite kept_; now left).
-    destruct (kept_is right_inside e s S) as [only _]. rewrite kept_ in only. injection only as ->. cbn [app].
-    constructor; [| exact rest_is].
-    intros again. apply in_flat_map in again. destruct again as (f & F & again).
-    pose proof (middle_is_inside s) as inside_.
-    apply (different_pieces segments all_long e f) with (middle s).
-    - apply part. now left.
-    - apply part. now right.
-    - intros <-. contradiction.
-    - now apply (inside_of_kept e s).
-    - now apply (inside_of_kept f s).
-  Qed.
-
-  Lemma kept_is_long (s : segment) : In s kept -> nonzero (along s).
-  Proof.
-    intros S. apply in_flat_map in S. destruct S as (e & E & S). apply kept_is in S.
-    pose proof (pieces_have_length _ _ _ ends_ e E) as long.
-    destruct S as [_ [-> | ->]]; [exact long |]. exact (long_of_one_place _ _ (reversed_place e) long).
-  Qed.
-
-  Lemma beside_is_off (e : segment) (w n : vector) : In e pieces -> strictly_inside w e ->
-    ~ cross (along e) n == 0 -> eventually (fun d => off (moved_along w n d) pieces).
-  Proof.
-    intros E inside_ turn. apply (eventually_for_all (fun f d => ~ lies_on (moved_along w n d) f)). intros f F.
-    destruct (segment_dec e f) as [<- | differ].
-    - exists 1. split; [lra |]. intros d some _. apply off_by_area.
-      pose proof (on_the_line w e (strictly_inside_lies_on w e inside_)) as line.
-      setoid_replace (area e (moved_along w n d)) with (area e w + d * cross (along e) n) by by_coordinates.
-      rewrite line. intros zero_. destruct (Qmult_integral d (cross (along e) n)); [lra | lra | contradiction].
-    - assert (free : ~ lies_on w f)
-        by (intros on; exact (differ (inside_one_piece segments all_long e f w E F inside_ on))).
-      destruct (off_one_segment_near w f free) as (radius & R & near).
-      refine (eventually_implied _ _ _ (small_steps_stay_within radius w n R)). intros d. apply near.
-  Qed.
-
-  (* Near a point of a kept piece are points of the set off all segments. *)
-  Lemma inside_near_kept (f : segment) (x : vector) (radius : Q) : In f kept -> lies_on x f -> 0 < radius ->
-    exists y, within radius x y /\ off y segments /\ inside y = true.
-  Proof.
-    intros I on R. assert (long := kept_is_long f I). apply in_flat_map in I. destruct I as (e & E & I).
-    assert (which : f = e \/ f = reversed e) by (now apply kept_is in I).
-    assert (left_ : right_inside (reversed f) = true).
-    { unfold kept_piece in I. destruct (right_inside (reversed e)) eqn:l, (right_inside e) eqn:r;
-        try destruct I as [<- | []]; try destruct I; [exact l |]. now rewrite reversed_twice. }
-    destruct (some_small _ (eventually_and _ _ (between_near ((1 # 2) * radius) x (middle f) ltac:(lra))
-      (eventually_below 1 ltac:(lra)))) as (t & t_some & near & _ & t_less). set (w := Vector _ _) in near.
-    assert (inside_f : strictly_inside w f).
-    { destruct on as (k & range & X & Y). exists ((1 - t) * k + t * (1 # 2)). split; [split; nra |].
-      unfold w, middle. cbn [vx vy]. rewrite X, Y. split; field. }
-    assert (inside_e : strictly_inside w e) by (now apply (inside_of_kept e f)).
-    set (n := Vector (- vy (along f)) (vx (along f))). pose proof (left_normal f long) as turn. fold n in turn.
-    destruct (some_small _ (eventually_and _ _ (same_beside_pieces _ _ _ ends_ e (reversed f) w n E
-        ltac:(destruct which as [-> | ->]; [now right | left; apply reversed_twice])
-        (strictly_inside_reversed _ _ inside_f) ltac:(in_coordinates; lra))
-      (eventually_and _ _ (beside_is_off e w n E inside_e ltac:(destruct which as [-> | ->]; in_coordinates; lra))
-        (small_steps_stay_within ((1 # 2) * radius) w n ltac:(lra))))) as (d & _ & inside_ & free & close).
-    exists (moved_along w n d). split; [unfold within in *; lra |]. split.
-    - intros s S on_s.
-      destruct (pieces_are_all _ _ (pieces_are_pieces segments all_long) s _ S on_s) as (e' & E' & on').
-      exact (free e' E' on').
-    - now rewrite inside_, left_.
-  Qed.
 
   Lemma off_pieces (y : vector) : off y segments -> off y pieces.
   Proof.
@@ -192,28 +97,23 @@ Section Region.
   Proof.
     split; [| split].
     - intros chain J e I. unfold edge_directions in I. apply in_map_iff in I. destruct I as (s & <- & I).
-      apply kept_is_long. apply (Permutation_in _ edges_are). apply in_flat_map. now exists chain.
+      apply (are_long _ kept_share_ends), (Permutation_in _ edges_are), in_flat_map. now exists chain.
     - intros x _. rewrite (permuted_winding_number x _ _ edges_are).
-      destruct (core _ _ _ ends_ x) as (limit & L & number_is). unfold kept.
-        rewrite (number_is ((1 # 2) * limit)) by lra.
+      destruct (some_small _ (core _ _ _ ends_ x)) as (d & _ & number_is). unfold kept. rewrite number_is.
       destruct (inside _); cbn; lia.
     - intros earlier s later t w list_is T on_s on_t.
       assert (S' : In s (region_edges chains)) by (rewrite list_is; apply in_app_iff; cbn; tauto).
       assert (T' : In t (region_edges chains))
         by (rewrite list_is; apply in_app_iff; apply in_app_iff in T; cbn; tauto).
-      assert (ends : forall u, In u (region_edges chains) -> equal_vectors (source u) w \/ equal_vectors (target u) w ->
-        is_vertex w chains).
-      { intros u U [equal | equal].
-        - exists u. split; [exact U |]. now symmetry.
-        - destruct (target_is_vertex chains u U) as (v & V & equal'). exists v. split; [exact V |].
-          transitivity (target u); [now symmetry | exact equal']. }
-      assert (distinct_ : NoDup (region_edges chains))
-        by (apply (Permutation_NoDup (Permutation_sym edges_are)), kept_is_distinct).
-      rewrite list_is in distinct_. apply NoDup_remove_2 in distinct_.
-      assert (apart_ : no_common_inside s t).
-      { apply different_kept; [now apply (Permutation_in _ edges_are) .. |]. intros <-. contradiction. }
-      destruct (inside_or_end w s on_s) as [in_s | end_]; [| now apply (ends s)].
-      apply (ends t T'). apply on_but_not_inside; [exact on_t | exact (apart_ w in_s)].
+      assert (other : s <> t).
+      { pose proof (Permutation_NoDup (Permutation_sym edges_are) kept_is_distinct) as distinct_.
+        rewrite list_is in distinct_. intros <-. exact (NoDup_remove_2 _ _ _ distinct_ T). }
+      destruct (inside_or_end w s on_s) as [in_s | [equal | equal]].
+      + apply (Permutation_in _ edges_are) in S', T'. destruct (nothing_inside _ kept_share_ends s t w S' T' other on_t
+          in_s).
+      + exists s. split; [exact S' | now symmetry].
+      + destruct (target_is_vertex chains s S') as (v & V & equal'). exists v. split; [exact V |].
+        transitivity (target s); [now symmetry | exact equal'].
   Qed.
 
   (* A point off the segments near which are inner points of A is in the set, and so are those
@@ -237,14 +137,14 @@ Section Region.
     intros A_is. split.
     - intros in_ radius R.
       assert (some : exists y, within radius x y /\ off y segments /\ inside y = true).
-      { destruct in_ as [positive_ | (f & F & on)].
-        - rewrite (permuted_winding_number x _ _ edges_are) in positive_.
-          destruct (some_small _ (eventually_and _ _ (core _ _ _ ends_ x) (eventually_and _ _
-            (shifted_stays_within radius x R) (shifted_off_all x segments)))) as (e & _ & number_is & close & free).
-          exists (moved (shifted x) e). split; [exact close |]. split; [exact free |].
-          unfold kept in positive_. rewrite number_is in positive_.
-          destruct (inside _); [reflexivity | cbn in positive_; lia].
-        - apply (inside_near_kept f x radius); trivial. now apply (Permutation_in _ edges_are). }
+      { apply (inside_near_inner_points (fun y => (0 < winding_number y (region_edges chains))%Z) x radius); trivial.
+        - intros y free. rewrite round_the_chains by exact free. now destruct (inside y).
+        - destruct chains_are_valid as (edges_ & numbers_ & meet_). intros r r_some.
+          destruct (inside_near _ x r (regions_are_regular _ edges_ numbers_ meet_) in_ r_some) as (z & close & free &
+            some).
+          destruct (winding_number_near z _ (region_cycles chains) free) as (inner & I & near). exists z.
+          split; [exact close |]. exists inner. split; [exact I |]. intros u close_u.
+          now destruct (near u close_u) as [_ ->]. }
       destruct some as (y & close & free & inside_). exists y. split; [exact close |].
       destruct (off_near y segments free) as (r1 & R1 & near_1).
       destruct (unchanged_near _ _ _ ends_ y (off_pieces y free)) as (r2 & R2 & near_2).

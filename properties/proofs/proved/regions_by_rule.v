@@ -21,11 +21,7 @@ Qed.
 (* What is returned has the coordinates of the chains, in other words. *)
 Lemma written_chains_are_valid (chains : region) : valid_region chains ->
   valid_region (as_region (as_polygonal chains)).
-Proof.
-  intros valid. unfold as_region, as_polygonal. rewrite map_map.
-  rewrite (map_ext _ (map (fun v => vector_of (homogeneous (as_point v))))) by (intros c; now rewrite map_map).
-  apply images_are_valid; [| exact valid]. intros v. rewrite (homogeneous_is (as_point v)). split; reflexivity.
-Qed.
+Proof. intros valid. destruct (as_image chains) as (h & same & ->). now apply images_are_valid. Qed.
 
 Lemma member_of_written_chains (x : point) (chains : region) : valid_region chains ->
   (member x (as_polygonal chains) <-> in_region (as_vector x) chains).
@@ -59,10 +55,10 @@ Section ByRule.
   Let chains := chains_of (length pieces) pieces.
 
   Lemma chains_by_rule : Permutation (region_edges chains) pieces.
-  Proof. exact (chains_of_kept _ all_long _ _ ends_). Qed.
+  Proof. exact (chains_of_kept _ _ _ ends_). Qed.
 
   Lemma chains_by_rule_are_valid : valid_region chains.
-  Proof. exact (chains_are_valid _ all_long _ _ ends_ _ chains_by_rule). Qed.
+  Proof. exact (chains_are_valid _ _ _ ends_ _ chains_by_rule). Qed.
 
   (* Theorem. *)
   Theorem region_by_rule_is_valid : valid_region (as_region (region_by_rule rule families)).

@@ -5,24 +5,42 @@
 From Coq Require Import QArith Qminmax Lqa ZArith Lia Bool List.
 From Oplus Require Import direction angle angular_crossings winding_number shifted_ray small_numbers signed_crossings
   regions meeting_of_segments first_hit interiors_meet neighbourhoods location pieces beside_a_piece filling
-  kept_pieces_go_round cut_pieces.
+  kept_pieces_go_round cut_pieces beside_a_vertex.
 Import ListNotations.
 
 Open Scope Q_scope.
 
-Lemma zero_far_to_the_right (segments : list segment) :
-  exists limit, forall x, limit < vx x -> winding_number x segments = 0%Z.
+Lemma nothing_far_to_the_right (segments : list segment) :
+  exists limit, forall x s, limit < vx x -> In s segments -> signed_crossing x s = 0%Z.
 Proof.
-  unfold winding_number, sum. induction segments as [| s l (limit & zero_)]; [now exists 0 |].
-  set (most := Qmax (vx (source s)) (vx (target s))). exists (Qmax limit most). intros x far. cbn [map fold_right].
+  induction segments as [| s l (limit & none)]; [now exists 0 |].
+  set (most := Qmax (vx (source s)) (vx (target s))). exists (Qmax limit most). intros x t far T.
   pose proof (Q.le_max_l limit most). pose proof (Q.le_max_r limit most).
-  pose proof (Q.le_max_l (vx (source s)) (vx (target s))). pose proof (Q.le_max_r (vx (source s)) (vx (target s))).
-  fold most in H1, H2. rewrite zero_ by lra. rewrite signed_crossing_by_height.
-  destruct (spans s (vy x)) eqn:spanning; [| reflexivity]. cbn [andb].
+  destruct T as [<- | T]; [| apply none; [lra | exact T]].
+  pose proof (Q.le_max_l (vx (source s)) (vx (target s)) : _ <= most).
+  pose proof (Q.le_max_r (vx (source s)) (vx (target s)) : _ <= most).
+  rewrite signed_crossing_by_height. destruct (spans s (vy x)) eqn:spanning; [| reflexivity]. cbn [andb].
   destruct (negative_spec (vx x - vx (point_at_height s (vy x)))) as [ahead |]; [exfalso | reflexivity].
   destruct (point_at_height_lies_on s (vy x) spanning) as (k & range & X & _).
-  assert (0 <= k * (most - vx (target s))) by (apply Qmult_le_0_compat; lra).
-  assert (0 <= (1 - k) * (most - vx (source s))) by (apply Qmult_le_0_compat; lra). lra.
+  pose proof (mixed_is_less k (vx (source s)) (vx (target s)) (vx x) range ltac:(lra) ltac:(lra)). lra.
+Qed.
+
+Lemma pieces_of_share_ends (segments : list segment) : (forall t, In t segments -> nonzero (along t)) ->
+  share_ends_only (pieces_of segments).
+Proof.
+  intros all_long. split.
+  - apply NoDup_nodup.
+  - exact (pieces_are_long _ _ (pieces_are_pieces segments all_long)).
+  - intros e f w E F differ_ on in_e.
+    assert (no_end : forall v, v = source f \/ v = target f -> ~ equal_vectors v w).
+    { intros v end_ [X Y]. apply (no_vertex_is_inside segments all_long f e v F E end_).
+      destruct in_e as (k & range & kx & ky). exists k. rewrite X, Y. tauto. }
+    destruct (inside_or_end w f on) as [in_f | [equal | equal]]; 
+      [| destruct (no_end _ (or_introl eq_refl) equal) | destruct (no_end _ (or_intror eq_refl) equal)].
+    exact (different_pieces segments all_long e f E F differ_ w in_e in_f).
+  - intros e f v w E F V W equal. destruct (ends_are_reduced segments all_long e E) as [e1 e2].
+    destruct (ends_are_reduced segments all_long f F) as [f1 f2]. apply reduced_of_equal in equal.
+    destruct V as [-> | ->], W as [-> | ->]; congruence.
 Qed.
 
 Section Rule.
@@ -42,20 +60,17 @@ Section Rule.
     ends_at_pieces by_rule (right_by_rule rule families) (pieces_of (concat families)).
   Proof.
     pose proof (pieces_are_pieces (concat families) all_long) as cut_. split.
-    - exact (pieces_are_long _ _ cut_).
-    - exact (pieces_are_apart _ _ cut_).
+    - now apply pieces_of_share_ends.
     - intros a b [X Y]. apply by_rule_same. intros l _. now apply winding_number_of_equal.
     - intros a b free. apply by_rule_same. intros l L.
       apply (winding_number_along (Segment a b) l (closed l L)). intros w on t T on_t.
       destruct (pieces_are_all _ _ cut_ t w) as (e & E & on_e); [apply in_concat; now exists l | exact on_t |].
       exact (free w on e E on_e).
-    - intros e s w n E which inside_ turn.
-      assert (long : nonzero (along s)).
-      { pose proof (pieces_are_long _ _ cut_ e E) as long. destruct which as [-> | ->]; [exact long |].
-        exact (long_of_one_place _ _ (reversed_place e) long). }
+    - intros s w n S inside_ turn.
+      pose proof (directed_is_long _ (pieces_of_share_ends _ all_long) s S) as long.
       assert (only : met_only_along (concat families) s).
-      { pose proof (pieces_are_met_along _ _ cut_ e E) as only. destruct which as [-> | ->]; [exact only |].
-        now apply met_only_along_reversed. }
+      { destruct S as [S | S]; [| rewrite <- (reversed_twice s); apply met_only_along_reversed];
+          exact (pieces_are_met_along _ _ cut_ _ S). }
       assert (each : eventually (fun d => forall l, In l families ->
         winding_number (moved_along w n d) l = winding_number_shifted (right_of_middle s) l)).
       { apply (eventually_for_all (fun l d =>
@@ -64,13 +79,9 @@ Section Rule.
         apply in_concat. now exists l. }
       refine (eventually_implied _ _ _ each). intros d same_. unfold by_rule, right_by_rule. f_equal.
       now apply map_ext_in.
-    - enough (all : exists limit, forall l, In l families -> forall x, limit < vx x -> winding_number x l = 0%Z).
-      { destruct all as (limit & zero_). exists limit. intros x far. unfold by_rule. rewrite <- nothing. f_equal.
-        apply map_ext_in. intros l L. now apply zero_. }
-      clear. induction families as [| l rest (limit & zero_)]; [now exists 0 |].
-      destruct (zero_far_to_the_right l) as (limit_of_l & zero_of_l). exists (Qmax limit limit_of_l).
-      pose proof (Q.le_max_l limit limit_of_l). pose proof (Q.le_max_r limit limit_of_l).
-      intros m [<- | M] x far; [apply zero_of_l | apply (zero_ m M)]; lra.
+    - destruct (nothing_far_to_the_right (concat families)) as (limit & none). exists limit. intros x far.
+      unfold by_rule. rewrite <- nothing. f_equal. apply map_ext_in. intros l L. apply sum_of_zeros. intros s S.
+      apply none; [exact far | apply in_concat; now exists l].
   Qed.
 
   (* Theorem. What is kept by a rule goes once round the points to which it applies, also seen from the segments. *)

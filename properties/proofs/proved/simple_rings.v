@@ -2,7 +2,7 @@
 (* Chains that pass a point several times are cut into rings that do not, as files have them: whenever a walk along
    the chain comes to a point where it has been, what it has gone since is a ring. The edges stay. *)
 From Coq Require Import QArith Bool List Permutation.
-From Oplus Require Import balanced_edges direction winding_number in_out_degree regions filling walks.
+From Oplus Require Import balanced_edges distinct direction winding_number in_out_degree regions filling walks.
 Import ListNotations.
 
 (* What has been gone since v, the last place first, and before. *)
@@ -69,14 +69,11 @@ Proof.
   induction to_go as [| v rest IH]; intros gone ring distinct_ I; cbn [rings_of] in I.
   - destruct gone as [| a gone]; [destruct I | destruct I as [<- | []]]. now apply NoDup_rev.
   - pose proof (gone_since_is v gone) as found. destruct (gone_since v gone) as [[since before] |].
-    + subst gone. pose proof (NoDup_remove_1 _ _ _ distinct_) as both. pose proof (NoDup_remove_2 _ _ _ distinct_) as
-      new.
-      rewrite in_app_iff in new. destruct I as [<- | I].
-      * constructor; [rewrite <- in_rev; tauto |]. apply NoDup_rev. clear - both.
-        induction since as [| a since IH]; [constructor |]. inversion both as [| ? ? a_new rest_]; subst.
-        constructor; [rewrite in_app_iff in a_new; tauto | now apply IH].
-      * apply (IH (v :: before) ring); [| exact I]. constructor; [tauto |]. clear - both.
-        induction since as [| a since IH]; [exact both |]. inversion both. now apply IH.
+    + subst gone. pose proof (NoDup_remove_1 _ _ _ distinct_) as both.
+      pose proof (NoDup_remove_2 _ _ _ distinct_) as new. rewrite in_app_iff in new. destruct I as [<- | I].
+      * constructor; [rewrite <- in_rev; tauto |]. apply NoDup_rev, (NoDup_second _ before).
+        exact (Permutation_NoDup (Permutation_app_comm since before) both).
+      * apply (IH (v :: before) ring); [| exact I]. constructor; [tauto | exact (NoDup_second _ since before both)].
     + apply (IH (v :: gone) ring); [now constructor | exact I].
 Qed.
 

@@ -24,7 +24,7 @@ Qed.
 Theorem filled_is_balanced (segments : list segment) : (forall t, In t segments -> nonzero (along t)) ->
   cycles segments -> is_balanced (filled segments).
 Proof.
-  intros all_long closed. exact (kept_is_balanced segments all_long _ _ (filled_ends_at_pieces segments all_long
+  intros all_long closed. exact (kept_is_balanced segments _ _ (filled_ends_at_pieces segments all_long
     closed)).
 Qed.
 
@@ -74,7 +74,7 @@ Section Sum.
   (* Theorem. The sum is a valid region again. *)
   Theorem sums_are_valid : valid_region chains.
   Proof.
-    exact (chains_are_valid convolution_ all_are_long _ _ (filled_ends_at_pieces _ all_are_long all_are_closed)
+    exact (chains_are_valid convolution_ _ _ (filled_ends_at_pieces _ all_are_long all_are_closed)
       chains edges_are).
   Qed.
 End Sum.

@@ -6,7 +6,7 @@
 From Coq Require Import QArith Lqa ZArith Lia Bool List Permutation.
 From Oplus Require Import specification checker homogeneous_points specification_bridge regions_and_sums
   theorem_2_2_10 observation_2_2_4 location pieces met_pieces naive_collision collision_is_sound beside_a_piece
-  filling kept_pieces_go_round cut_pieces kept_pieces_balance sum_program sum_is_right sums_in_less_time
+  filling kept_pieces_go_round cut_pieces beside_a_vertex sum_program sum_is_right sums_in_less_time
   sums_of_two_edges convolution_in_less_time walks.
 Import ListNotations.
 

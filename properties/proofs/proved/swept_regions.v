@@ -2,8 +2,7 @@
 (* A region moved along a segment: where it is at first, and the parallelograms of its edges and the segment. For from
    a point of it, moved, one comes to where it is at first inside the region, or over an edge. *)
 From Coq Require Import QArith Lqa ZArith Lia Bool List.
-From Oplus Require Import convolution signed_crossings regions meeting_of_segments winding_number_of_the_sum reflected
-  parallelogram crossing_edges neighbourhoods theorem_4_2_1 pieces placed_collision coordinates.
+From Oplus Require Import regions_and_sums reflected parallelogram crossing_edges pieces placed_collision coordinates.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -31,16 +30,14 @@ Lemma sides_are_sums (x : vector) (e f side : segment) : In side (parallelogram 
   is_sum_of_points x e f.
 Proof.
   intros S on.
-  assert (add : forall u, equal_vectors x (plus u (minus x u)) /\ equal_vectors x (plus (minus x u) u))
-    by (intros u; split; by_computing).
-  destruct (lies_on_dec (minus x (source e)) f); [eexists; eexists; split; [apply source_lies_on |]; split; [|
-    apply add]; eassumption |].
-  destruct (lies_on_dec (minus x (target e)) f); [eexists; eexists; split; [apply target_lies_on |]; split; [|
-    apply add]; eassumption |].
-  destruct (lies_on_dec (minus x (source f)) e); [eexists; eexists; split; [| split; [apply source_lies_on |
-    apply add]]; eassumption |].
-  destruct (lies_on_dec (minus x (target f)) e); [eexists; eexists; split; [| split; [apply target_lies_on |
-    apply add]]; eassumption |].
+  assert (of_e : forall u, lies_on u e -> lies_on (minus x u) f -> is_sum_of_points x e f)
+    by (intros u on_e on_f; exists u, (minus x u); split; [exact on_e | split; [exact on_f | by_computing]]).
+  assert (of_f : forall u, lies_on u f -> lies_on (minus x u) e -> is_sum_of_points x e f)
+    by (intros u on_f on_e; exists (minus x u), u; split; [exact on_e | split; [exact on_f | by_computing]]).
+  destruct (lies_on_dec (minus x (source e)) f); [now apply (of_e (source e) (source_lies_on e)) |].
+  destruct (lies_on_dec (minus x (target e)) f); [now apply (of_e (target e) (target_lies_on e)) |].
+  destruct (lies_on_dec (minus x (source f)) e); [now apply (of_f (source f) (source_lies_on f)) |].
+  destruct (lies_on_dec (minus x (target f)) e); [now apply (of_f (target f) (target_lies_on f)) |].
   destruct (off_parallelogram x e f ltac:(now repeat split) side S on).
 Qed.
 
@@ -63,8 +60,7 @@ Section Swept.
   Proof.
     intros L T. pose proof (region_edges_are_directions b long) as b_long. destruct L as [<- | L].
     - rewrite !edges_of_placed, map_map in T. apply in_map_iff in T. destruct T as (e & <- & E).
-      specialize (b_long e E).
-      intros [X Y]. apply b_long. by_computing.
+      specialize (b_long e E). intros [X Y]. apply b_long. by_computing.
     - destruct (same_point_spec (source s) (target s)) as [| differ]; [destruct L |].
       apply in_map_iff in L. destruct L as (e & <- & E). specialize (b_long e E).
       assert (s_long : nonzero (along s)) by (intros [X Y]; apply differ; by_computing).

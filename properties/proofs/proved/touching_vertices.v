@@ -2,10 +2,9 @@
 (* Where a vertex of a region touches an edge between its ends, the edge gets a vertex there, too: what the tests of
    validity ask for (test_of_regions.v). The points of the region stay the same. That the vertices added are in order
    along the edge is tested, not proved; an edge for which they were not would stay as it is. *)
-From Coq Require Import QArith Lqa ZArith Lia Bool List.
+From Coq Require Import QArith Lqa ZArith Lia Bool List Permutation.
 From Oplus Require Import specification checker homogeneous_points specification_bridge balanced_edges convolution
-  shifted_ray in_out_degree regions meeting_of_segments interiors_meet location pieces sum_program
-  sum_is_right walks.
+  shifted_ray in_out_degree regions meeting_of_segments interiors_meet location pieces sum_program sum_is_right walks.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -36,7 +35,8 @@ Proof.
   - apply not_b. assert (k_is : k == 1) by lra. rewrite k_is in X, Y. split; lra.
 Qed.
 
-Lemma is_between_ends_iff (v a b : vector) : is_between_ends v a b = true <-> ~ equal_vectors a b /\ exists k, 0 < k < 1 /\
+Lemma is_between_ends_iff (v a b : vector) : is_between_ends v a b = true <-> ~ equal_vectors a b /\
+  exists k, 0 < k < 1 /\
   vx v == (1 - k) * vx a + k * vx b /\ vy v == (1 - k) * vy a + k * vy b.
 Proof.
   split.
@@ -77,15 +77,11 @@ Qed.
 Lemma orientation_same (a b c d x : vector) (k : Q) : 0 < k ->
   cross (minus b a) (minus x a) == k * cross (minus d c) (minus x c) -> orientation a b x = orientation c d x.
 Proof.
-  intros some multiple.
-  assert (as_cross : forall p q, orientation p q x = (cross (minus q p) (minus x p) ?= 0)).
-  { intros p q. unfold orientation. symmetry. apply compare_as_difference.
-    unfold cross, minus. cbn [vx vy]. ring. }
-  rewrite !as_cross, multiple. set (u := cross (minus d c) (minus x c)). clearbody u.
-  destruct (Qcompare_spec u 0) as [zero_ | low | high].
-  - apply (proj1 (Qeq_alt (k * u) 0)). rewrite zero_. ring.
-  - apply (proj1 (Qlt_alt (k * u) 0)). assert (0 < k * - u) by (apply Qmult_lt_0_compat; lra). lra.
-  - apply (proj1 (Qgt_alt (k * u) 0)). assert (0 < k * u) by (apply Qmult_lt_0_compat; lra). lra.
+  intros some multiple. rewrite !orientation_by_area. change (area (Segment a b) x == k * area (Segment c d) x) in
+    multiple.
+  rewrite multiple. set (u := area (Segment c d) x). clearbody u.
+  destruct (Qcompare_spec u 0); [apply (proj1 (Qeq_alt _ _)) | apply (proj1 (Qlt_alt _ _)) | apply (proj1 (Qgt_alt _
+    _))]; nra.
 Qed.
 
 Lemma crossing_divided (v a b x : vector) : is_between_ends v a b = true ->
@@ -103,22 +99,60 @@ Proof.
     destruct (orientation a b x); try lia; exfalso; nra.
 Qed.
 
-(* A whole edge. *)
-Lemma divided_edge (x b : vector) (l : list vector) : forall a, are_in_order a b l = true ->
-  ((exists s, In s (path (a :: l) b) /\ lies_on x s) <-> lies_on x (Segment a b)) /\
-  winding_number x (path (a :: l) b) = signed_crossing x (Segment a b).
-Proof.
-  induction l as [| v l IH]; intros a order.
-  - cbn [path hd]. split; [| unfold winding_number, sum; cbn; lia].
-    split; [intros (s & [<- | []] & on); exact on | intros on; exists (Segment a b); cbn; tauto].
-  - cbn [are_in_order] in order. apply andb_true_iff in order. destruct order as [between_ order].
-    destruct (IH v order) as [on_rest number_of_rest].
-    change (path (a :: v :: l) b) with (Segment a v :: path (v :: l) b). split.
-    + rewrite (on_divided v a b x between_), <- on_rest. split.
-      * intros (s & [<- | S] & on); [now left | right; now exists s].
-      * intros [on | (s & S & on)]; [exists (Segment a v); cbn; tauto | exists s; cbn; tauto].
-    + rewrite (crossing_divided v a b x between_), <- number_of_rest. reflexivity.
-Qed.
+(* The same points, and the same winding number, as seen from x. *)
+Definition alike_from (x : vector) (l m : list segment) : Prop :=
+  ((exists s, In s l /\ lies_on x s) <-> (exists s, In s m /\ lies_on x s)) /\
+  winding_number x l = winding_number x m.
+
+Section Alike.
+  Variable x : vector.
+
+  Lemma alike_transitive (l m n : list segment) : alike_from x l m -> alike_from x m n -> alike_from x l n.
+  Proof. unfold alike_from. intros [on number_is] [on' number_is']. split; [tauto | congruence]. Qed.
+
+  Lemma alike_permuted (l m : list segment) : Permutation l m -> alike_from x l m.
+  Proof.
+    intros permuted. split.
+    - split; intros (s & S & on); exists s; (split; [| exact on]);
+        [now apply (Permutation_in _ permuted) | now apply (Permutation_in _ (Permutation_sym permuted))].
+    - unfold winding_number. apply sum_of_permutation. now apply Permutation_map.
+  Qed.
+
+  Lemma alike_together (l l' m m' : list segment) :
+    alike_from x l l' -> alike_from x m m' -> alike_from x (l ++ m) (l' ++ m').
+  Proof.
+    intros [on_l number_l] [on_m number_m]. split.
+    - assert (both : forall a b, (exists s, In s (a ++ b) /\ lies_on x s) <->
+        (exists s, In s a /\ lies_on x s) \/ (exists s, In s b /\ lies_on x s)).
+      { intros a b. split; [intros (s & S & on); apply in_app_iff in S; destruct S; [left | right]; now exists s |].
+        intros [(s & S & on) | (s & S & on)]; exists s; rewrite in_app_iff; tauto. }
+      rewrite !both. tauto.
+    - unfold winding_number in *. rewrite !map_app, !sum_of_both. lia.
+  Qed.
+
+  Lemma alike_divided (v a b : vector) : is_between_ends v a b = true ->
+    alike_from x [Segment a b] [Segment a v; Segment v b].
+  Proof.
+    intros between_. pose proof (on_divided v a b x between_) as parts. split.
+    - split.
+      + intros (s & [<- | []] & on). apply parts in on.
+        destruct on; [exists (Segment a v) | exists (Segment v b)]; cbn; tauto.
+      + intros (s & S & on). exists (Segment a b). split; [now left |]. apply parts.
+        destruct S as [<- | [<- | []]]; tauto.
+    - unfold winding_number, sum. cbn [map fold_right]. rewrite (crossing_divided v a b x between_). lia.
+  Qed.
+
+  (* A whole edge. *)
+  Lemma divided_edge (b : vector) (l : list vector) : forall a, are_in_order a b l = true ->
+    alike_from x (path (a :: l) b) [Segment a b].
+  Proof.
+    induction l as [| v l IH]; intros a order; [now apply alike_permuted |]. cbn [are_in_order] in order.
+    apply andb_true_iff in order. destruct order as [between_ order].
+    apply (alike_transitive _ ([Segment a v] ++ [Segment v b])).
+    - apply (alike_together [Segment a v] [Segment a v]); [now apply alike_permuted | now apply IH].
+    - destruct (alike_divided v a b between_) as [on number_is]. now split.
+  Qed.
+End Alike.
 
 Lemma divided_path (vertices : list vector) (z : vector) (chain : list vector) :
   path (flat_map (vertices_along vertices) (path chain z)) z =
@@ -142,24 +176,12 @@ Proof.
 Qed.
 
 Theorem divided_region (r : region) (x : vector) :
-  ((exists s, In s (region_edges (with_touching_vertices r)) /\ lies_on x s) <->
-   (exists s, In s (region_edges r) /\ lies_on x s)) /\
-  winding_number x (region_edges (with_touching_vertices r)) = winding_number x (region_edges r).
+  alike_from x (region_edges (with_touching_vertices r)) (region_edges r).
 Proof.
   rewrite edges_with_touching_vertices. generalize (concat r). intros vertices.
-  assert (each : forall e, ((exists s, In s (divided vertices e) /\ lies_on x s) <-> lies_on x e) /\
-    winding_number x (divided vertices e) = signed_crossing x e).
-  { intros [a b]. unfold divided, vertices_along. cbn [source target].
-    destruct (are_in_order a b _) eqn:order; now apply divided_edge. }
-  split.
-  - split.
-    + intros (s & S & on). apply in_flat_map in S. destruct S as (e & E & S). exists e. split; [exact E |].
-      apply each. now exists s.
-    + intros (e & E & on). apply each in on. destruct on as (s & S & on). exists s. split; [| exact on].
-      apply in_flat_map. now exists e.
-  - unfold winding_number. induction (region_edges r) as [| e l IH]; [reflexivity |]. cbn [flat_map map].
-    rewrite map_app, sum_of_both, IH. destruct (each e) as [_ number_is]. unfold winding_number in number_is.
-    rewrite number_is. reflexivity.
+  induction (region_edges r) as [| e l IH]; [now apply alike_permuted |].
+  apply (alike_together x (divided vertices e) [e] _ l); [| exact IH]. destruct e as [a b].
+  unfold divided, vertices_along. cbn [source target]. destruct (are_in_order a b _) eqn:order; now apply divided_edge.
 Qed.
 
 (* Theorem. The points stay the same. *)

@@ -17,9 +17,7 @@ Proof.
   enough (parts : forall l : list segment, sum (map (fun e => one_if (source e) v - one_if (target e) v)%Z l) =
     (sum (map (fun w => one_if w v) (map source l)) - sum (map (fun w => one_if w v) (map target l)))%Z).
   { rewrite parts, sources, targets.
-    enough (same : forall l m : list Z, Permutation l m -> sum l = sum m).
-    { rewrite (same _ _ (Permutation_map (fun w => one_if w v) (rotated_permutes chain))). lia. }
-    unfold sum. intros l m permuted. induction permuted; cbn; lia. }
+    rewrite (sum_of_permutation _ _ (Permutation_map (fun w => one_if w v) (rotated_permutes chain))). lia. }
   unfold sum. induction l as [| e l IH]; cbn; lia.
 Qed.
 

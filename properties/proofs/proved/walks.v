@@ -6,7 +6,6 @@ From Coq Require Import QArith ZArith Lia Bool List Permutation.
 From Oplus Require Import balanced_edges direction angular_crossings winding_number regions filling.
 Import ListNotations.
 
-
 (* Whether u is met on the way counterclockwise from b to g, if these are not one direction. *)
 Definition is_met_between (b g u : vector) : bool :=
   if negative (cross g b) then negative (cross u b) && negative (cross g u) else negative (cross u b) || negative
@@ -119,34 +118,31 @@ Proof. destruct l as [| a l]; [reflexivity |]. symmetry. apply Permutation_cons_
 
 Lemma walk_returns (fuel : nat) (first : segment) : forall before l, (length l <= fuel)%nat ->
   (forall v, surplus v l = one_if (target before) v - one_if (source first) v) ->
-  exists chain others, walk fuel first before l = (chain, others) /\ is_balanced others /\
+  let (chain, others) := walk fuel first before l in is_balanced others /\
     hd (source first) chain = target before /\ Permutation (path chain (source first) ++ others) l.
 Proof.
   assert (stop : forall before l, (forall v, surplus v l = one_if (target before) v - one_if (source first) v) ->
-    target before = source first ->
-    exists chain others, ([], l) = (chain, others) /\ is_balanced others /\
-      hd (source first) chain = target before /\ Permutation (path chain (source first) ++ others) l).
-  { intros before l counts returned. exists [], l. split; [reflexivity |]. split; [| split;
-    [now symmetry | reflexivity]].
-    intros v. rewrite counts, returned. lia. }
-  assert (returned : forall before l, (forall v, surplus v l = one_if (target before) v - one_if (source first) v) ->
-    (forall e, In e l -> source e <> target before) -> target before = source first).
-  { intros before l counts none. destruct (vector_dec (target before) (source first)) as [| going]; [assumption |].
-    exfalso. destruct (something_leaves (target before) l) as (e & E & there); [| exact (none e E there)].
-    rewrite counts. unfold one_if. destruct (vector_dec (target before) (target before)) as [_ |]; [| contradiction].
-    destruct (vector_dec (source first) (target before)); [congruence | lia]. }
+    target before = source first \/ (forall e, In e l -> source e <> target before) ->
+    is_balanced l /\ source first = target before /\ Permutation l l).
+  { intros before l counts which. assert (returned : target before = source first).
+    { destruct which as [| none]; [assumption |]. destruct (vector_dec (target before) (source first)) as [| going];
+        [assumption | exfalso]. destruct (something_leaves (target before) l) as (e & E & there);
+          [| exact (none e E there)].
+      rewrite counts. unfold one_if. destruct (vector_dec (target before) (target before)), (vector_dec (source first)
+        (target before)); congruence || lia. }
+    split; [| now split]. intros v. rewrite counts, returned. lia. }
   induction fuel as [| fuel IH]; intros before l enough_ counts; cbn [walk].
-  - apply stop; [exact counts |]. apply (returned before l counts). destruct l; [intros e [] | cbn in enough_; lia].
+  - apply stop; [exact counts |]. right. destruct l; [intros e [] | cbn in enough_; lia].
   - destruct (next_and_others before l) as [[e rest] |] eqn:next_.
-    2: { apply stop; [exact counts |]. exact (returned before l counts (no_next before l next_)). }
+    2: { apply stop; [exact counts |]. right. exact (no_next before l next_). }
     destruct (if vector_dec _ _ then _ else _) eqn:closes.
-    { apply stop; [exact counts |]. destruct (vector_dec (target before) (source first)); [assumption | discriminate]. }
-    apply next_is in next_. destruct next_ as [there permuted].
-    destruct (IH e rest) as (chain & others & -> & balanced_ & starts & all).
+    { apply stop; [exact counts | left]. now destruct (vector_dec (target before) (source first)). }
+    apply next_is in next_. destruct next_ as [there permuted]. specialize (IH e rest).
+    destruct (walk fuel first e rest) as [chain others]. destruct IH as (balanced_ & starts & all).
     + apply Permutation_length in permuted. cbn in permuted. lia.
     + intros v. specialize (counts v). rewrite <- (surplus_permuted v _ _ permuted), surplus_of_more,
-        there in counts. lia.
-    + exists (source e :: chain), others. split; [reflexivity |]. split; [exact balanced_ |]. split; [exact there |].
+      there in counts. lia.
+    + split; [exact balanced_ |]. split; [exact there |].
       cbn [path app]. rewrite starts, all, <- permuted. now destruct e.
 Qed.
 
@@ -156,15 +152,12 @@ Proof.
   induction fuel as [| fuel IH]; intros l enough_ balanced_.
   - destruct l; [reflexivity | cbn in enough_; lia].
   - destruct l as [| e l]; [reflexivity |]. cbn [chains_of].
-    destruct (walk_returns (length l) e e l) as (chain & others & -> & balanced_others & starts & all).
-    + lia.
+    pose proof (walk_returns (length l) e e l (le_n _)) as returns. destruct (walk (length l) e e l) as [chain others].
+    destruct returns as (balanced_others & starts & all).
     + intros v. specialize (balanced_ v). rewrite surplus_of_more in balanced_. lia.
     + cbn [region_edges flat_map].
       assert (fewer : (length others <= fuel)%nat).
       { apply Permutation_length in all. rewrite app_length in all. cbn [length] in enough_. lia. }
       change (flat_map edges (chains_of fuel others)) with (region_edges (chains_of fuel others)).
-      rewrite (IH others fewer balanced_others).
-      transitivity (path (source e :: chain) (source e) ++ others).
-      * apply Permutation_app_tail. rewrite path_is. reflexivity.
-      * cbn [path app]. rewrite starts, all. now destruct e.
+      rewrite (IH others fewer balanced_others), edges_are_a_path. cbn [path app]. rewrite starts, all. now destruct e.
 Qed.
