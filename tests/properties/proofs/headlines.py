@@ -59,9 +59,9 @@ def assumptions(theorems, build):
     return asked([[entry] for entry in theorems], build)
 
 
-def asked(groups, build, library="Oplus"):
+def asked(groups, build, library="Oplus", required=()):
     """What Coq says the theorems of each group together rest on: it looks at all that they are made of,
-    which many have in common."""
+    which many have in common. The library is compiled in BUILD, those that it requires in other folders."""
     with tempfile.TemporaryDirectory() as directory:
         lines = []
         for number, group in enumerate(groups):
@@ -71,7 +71,8 @@ def asked(groups, build, library="Oplus"):
                       f'Redirect "{number}" Print Assumptions group{number}.']
         source = Path(directory) / "asked.v"
         source.write_text("\n".join(lines) + "\n", encoding="utf-8")
-        done = subprocess.run(["coqc", "-R", build.resolve(), library, source], cwd=directory)
+        paths = [word for folder, name in [(build, library), *required] for word in ("-R", folder.resolve(), name)]
+        done = subprocess.run(["coqc", *paths, source], cwd=directory)
         if done.returncode != 0:
             sys.exit("Coq does not know a theorem")
         return [(Path(directory) / f"{number}.out").read_text(encoding="utf-8").strip()
