@@ -3,8 +3,7 @@
    P and one of Q. Polygons may have holes, several components and chains that touch. It is proved in
    lemma_2_2_2.v. *)
 From Coq Require Import List.
-From Oplus Require Import numbers convolution theorem_4_2_1 theorem_2_2_10 lemma_2_2_2 polygons_of_the_thesis
-  drawn_regions drawn_sums.
+From Oplus Require Import numbers convolution theorem_4_2_1 theorem_2_2_10 lemma_2_2_2 polygons_of_the_thesis.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -14,10 +13,3 @@ Theorem corollary_2_2_3_as_printed (p q : region) (x : vector) :
   valid_region p -> valid_region q -> on_boundary_of_sum x p q ->
   exists a b, on_boundary a p /\ on_boundary b q /\ equal_vectors x (plus a b).
 Proof. exact (boundary_points_are_sums_of_boundary_points p q x). Qed.
-
-(* In the room, the diamond can touch the left wall. *)
-Example at_the_wall : exists a b, on_boundary a [room] /\ on_boundary b [fitting_diamond] /\
-  equal_vectors (Vector 2 3) (plus a b).
-Proof.
-  apply corollary_2_2_3_as_printed; [apply simple_polygons_are_regions, drawn_polygons .. | exact wall_of_the_sum].
-Qed.

@@ -6,8 +6,7 @@
    and Q have the same part, so the first follows from the second, which is proved in definition_2_2_8.v. A vertex
    inside a straight line counts as a point of the line. *)
 From Coq Require Import List.
-From Oplus Require Import numbers convolution theorem_4_2_1 definition_2_2_8 small_polygons polygons_of_the_thesis
-  drawn_regions fans_that_touch.
+From Oplus Require Import numbers convolution theorem_4_2_1 definition_2_2_8 polygons_of_the_thesis fans_that_touch.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -33,17 +32,3 @@ Theorem definition_2_2_7_as_printed (p q : region) (x : vector) :
 Proof.
   intros. rewrite !definition_2_2_8_as_printed by assumption. split; apply definition_2_2_8_is_symmetric.
 Qed.
-
-(* Squares with parallel sides, one with a hole: all directions of the one are equal to some of the other. *)
-Example ties_do_not_matter (x : vector) :
-  in_convolution_by_2_2_7 chamber [square] x <-> in_convolution_by_2_2_7 [square] chamber x.
-Proof. apply definition_2_2_7_as_printed; [apply drawn_regions | apply square_is_a_region]. Qed.
-
-(* The segments differ: with Q's directions turned, the edge of the small square from (0, 0) to (2, 0) is at the
-   vertex (6, 0) of the large one, with those of P turned it is at (0, 0). *)
-Example but_the_segments_are_others :
-  existsb (fun s => Qeq_bool (vx (starts_at s)) 0 && Qeq_bool (vy (starts_at s)) 0 && Qeq_bool (vx (ends_at s)) 2)
-    (segments_of_regions chamber [square]) = false /\
-  existsb (fun s => Qeq_bool (vx (starts_at s)) 0 && Qeq_bool (vy (starts_at s)) 0 && Qeq_bool (vx (ends_at s)) 2)
-    (segments_of_regions [square] chamber) = true.
-Proof. split; vm_compute; reflexivity. Qed.

@@ -42,11 +42,3 @@ Proof.
     setoid_replace (vy d) with (vy c + r * (vy b - vy a)) by lra. split; field; lra.
   - intros (t & T & x_is & y_is). exists t, t. split; [exact T |]. split; [exact T |]. rewrite x_is, y_is. split; ring.
 Qed.
-
-(* Two sides of squares. *)
-Example lower_sides_add_up (x : vector) :
-  sum_of_sets (fun y => lies_on y (Segment (Vector 0 0) (Vector 6 0)))
-    (fun y => lies_on y (Segment (Vector 0 0) (Vector 2 0))) x <-> lies_on x (Segment (Vector 0 0) (Vector 8 0)).
-Proof.
-  apply (sum_of_segments_of_one_direction (Vector 0 0) (Vector 6 0) (Vector 0 0) (Vector 2 0) x (1 # 3)); reflexivity.
-Qed.

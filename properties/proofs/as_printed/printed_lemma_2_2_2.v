@@ -4,8 +4,7 @@
    would be in the sum, around x. For regions, whose boundary is their chains, it is summands_of_boundary_points
    (lemma_2_2_2.v). *)
 From Coq Require Import List.
-From Oplus Require Import numbers convolution regions neighbourhoods theorem_2_2_10 small_polygons drawn_regions
-  drawn_sums.
+From Oplus Require Import numbers convolution regions neighbourhoods theorem_2_2_10.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -49,17 +48,3 @@ Qed.
 Lemma sums_of_regions_are_sums_of_sets (p q : region) (x : vector) :
   on_boundary_of_sum x p q <-> on_boundary_of_set (sum_of_sets (fun a => in_region a p) (fun b => in_region b q)) x.
 Proof. split; trivial. Qed.
-
-(* (0, 0) is a boundary point of the sum of a square with a hole and a square, and the sum of (0, 0) and (0, 0). *)
-Example lowest_corner_of_a_sum :
-  on_boundary_of_set (fun a => in_region a chamber) (Vector 0 0) /\
-  on_boundary_of_set (fun b => in_region b [square]) (Vector 0 0).
-Proof.
-  apply (lemma_2_2_2_as_printed _ _ (Vector 0 0)).
-  - apply sums_of_regions_are_sums_of_sets, lower_side_of_the_sum. lra.
-  - right. exists (Segment (Vector 0 0) (Vector 6 0)). split; [now left |].
-    apply on_edge_by_computation. vm_compute. reflexivity.
-  - right. exists (Segment (Vector 0 0) (Vector 2 0)). split; [now left |].
-    apply on_edge_by_computation. vm_compute. reflexivity.
-  - split; reflexivity.
-Qed.

@@ -5,7 +5,7 @@
    so the edges have the same direction, which is proved in lemma_2_2_5.v. *)
 From Coq Require Import List.
 From Oplus Require Import numbers convolution regions left_of_an_edge winding_number_of_the_sum theorem_4_2_1
-  theorem_2_2_10 lemma_2_2_5 theorem_3_2_8 small_polygons drawn_regions drawn_sums.
+  theorem_2_2_10 lemma_2_2_5 theorem_3_2_8.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -34,19 +34,4 @@ Proof.
   - apply (region_edges_are_directions q); [apply q_region | exact F].
   - exact parallel.
   - unfold dot in *. lra.
-Qed.
-
-(* (2, 0) is the sum of points inside the lower sides of both squares. *)
-Example lower_sides (d : vector) :
-  in_tangent_set_inside (Segment (Vector 0 0) (Vector 6 0)) d <->
-  in_tangent_set_inside (Segment (Vector 0 0) (Vector 2 0)) d.
-Proof.
-  apply (lemma_2_2_5_as_printed chamber [square] _ _ (Vector 1 0) (Vector 1 0)).
-  - apply drawn_regions.
-  - apply square_is_a_region.
-  - now left.
-  - exists (1 # 6). vm_compute. repeat split; reflexivity.
-  - now left.
-  - exists (1 # 2). vm_compute. repeat split; reflexivity.
-  - change (plus (Vector 1 0) (Vector 1 0)) with (Vector 2 0). apply lower_side_of_the_sum. lra.
 Qed.

@@ -4,7 +4,7 @@
    (i-1, j) and from (i, j-1). Indices are cyclic. It is proved in states.v, for all closed chains without edges that
    are points. *)
 From Coq Require Import List.
-From Oplus Require Import convolution polygons_of_the_thesis drawn_regions.
+From Oplus Require Import convolution polygons_of_the_thesis.
 Import ListNotations.
 
 Open Scope nat_scope.
@@ -27,16 +27,4 @@ Proof.
   destruct (forward_traversal_of_states p q (i, j) p_edges q_edges) as [goes_on two]; [now split |].
   split; [| exact two].
   destruct goes_on as [along_p | along_q]; [destruct along_; [now left | now right] | now exists OfP | now exists OfQ].
-Qed.
-
-(* Two rooms: at the inner corner (6, 5) of one and (1, 1) of the other both segments leave, so both lead there. *)
-Example opposite_inner_corners : segment_leads_to room room OfP (5, 7) /\ segment_leads_to room room OfQ (5, 7).
-Proof.
-  assert (edges_ : no_edge_is_a_point room)
-    by (apply (simple_polygons_are_regions room); [apply drawn_polygons | now left]).
-  apply (lemma_4_1_3_as_printed room room 5 7); trivial.
-  - cbn. repeat constructor.
-  - cbn. repeat constructor.
-  - exists OfP. vm_compute. reflexivity.
-  - split; vm_compute; reflexivity.
 Qed.

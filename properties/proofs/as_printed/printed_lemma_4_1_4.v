@@ -2,7 +2,7 @@
 (* Lemma 4.1.4 as printed: at each vertex of the convolution graph (Definition 4.1.2), which is a point, as many
    convolution segments end as start. It is proved in in_out_degree.v, for polygons of any number of chains. *)
 From Coq Require Import List.
-From Oplus Require Import numbers convolution regions small_polygons drawn_regions.
+From Oplus Require Import numbers convolution regions.
 Import ListNotations.
 
 Definition indegree (p q : region) (x : vector) : nat :=
@@ -14,13 +14,3 @@ Definition outdegree (p q : region) (x : vector) : nat :=
 Theorem lemma_4_1_4_as_printed (p q : region) (x : vector) :
   no_edges_are_points p -> no_edges_are_points q -> indegree p q x = outdegree p q x.
 Proof. exact (in_out_degree p q x). Qed.
-
-(* Four segments end in (4, 4), and four start there. Four states are this point: each corner of the hole with the
-   opposite one of the square. *)
-Example degrees_where_states_coincide :
-  indegree chamber [square] (Vector 4 4) = outdegree chamber [square] (Vector 4 4) /\
-  outdegree chamber [square] (Vector 4 4) = 4%nat.
-Proof.
-  split; [| vm_compute; reflexivity].
-  apply lemma_4_1_4_as_printed; [apply drawn_regions | apply square_is_a_region].
-Qed.

@@ -3,7 +3,7 @@
    points; a cycle passes no node twice. It is proved in convolution_graph.v, with closed walks of which no two have a
    node in common, Euler circuits. *)
 From Coq Require Import List Permutation.
-From Oplus Require Import convolution regions balanced_graph convolution_graph small_polygons drawn_regions.
+From Oplus Require Import convolution regions balanced_graph convolution_graph.
 Import ListNotations.
 
 (* Theorem, Lemma 4.1.5. *)
@@ -12,9 +12,3 @@ Theorem lemma_4_1_5_as_printed (p q : region) :
   exists cycles,
     Forall (simple_cycle starts_at_node ends_at_node) cycles /\ Permutation (concat cycles) (segments_of_regions p q).
 Proof. exact (edge_disjoint_cycles p q). Qed.
-
-(* The square with a hole and the square. *)
-Example cycles_of_a_square_with_a_hole :
-  exists cycles, Forall (simple_cycle starts_at_node ends_at_node) cycles /\
-    Permutation (concat cycles) (segments_of_regions chamber [square]).
-Proof. apply lemma_4_1_5_as_printed; [apply drawn_regions | apply square_is_a_region]. Qed.

@@ -3,7 +3,7 @@
    vertex of Q, has a state that a vertical edge leaves, along Q; each column, the states of one vertex of P, has one
    that a horizontal edge leaves, along P. It is proved in lemma_4_1_8.v, for holes with two instead of one. *)
 From Coq Require Import Lia List.
-From Oplus Require Import convolution lemma_4_1_8 polygons_of_the_thesis drawn_regions.
+From Oplus Require Import convolution lemma_4_1_8 polygons_of_the_thesis.
 Import ListNotations.
 
 Open Scope nat_scope.
@@ -27,9 +27,3 @@ Proof.
   - intros j J. apply counted_ones_exist, (rows j J).
   - intros i I. apply counted_ones_exist, (columns i I).
 Qed.
-
-(* The room and the diamond. *)
-Example rows_and_columns_of_the_room :
-  (forall j, j < 4 -> exists i, i < 12 /\ is_convolution_segment room fitting_diamond OfQ i j = true) /\
-  (forall i, i < 12 -> exists j, j < 4 /\ is_convolution_segment room fitting_diamond OfP i j = true).
-Proof. apply (lemma_4_1_8_as_printed room fitting_diamond); apply drawn_polygons. Qed.

@@ -7,7 +7,7 @@
    in lemma_4_2_13.v, for any vertices of any regions. *)
 From Coq Require Import ZArith List.
 From Oplus Require Import convolution signed_crossings replaced_segments lemma_4_2_13 theorem_4_2_1
-  polygons_of_the_thesis drawn_regions.
+  polygons_of_the_thesis.
 Import ListNotations.
 
 Open Scope Z_scope.
@@ -33,8 +33,3 @@ Proof.
   rewrite (along_paths path first), (along_paths other_path other_first), <- same_end; trivial; [ring |].
   now rewrite <- same_end.
 Qed.
-
-(* The room has four reflex vertices. *)
-Example the_original_convolution_of_the_room :
-  well_defined_winding_numbers (original_convolution [room] [fitting_diamond]).
-Proof. apply lemma_4_2_13_as_printed; apply simple_polygons_are_regions, drawn_polygons. Qed.

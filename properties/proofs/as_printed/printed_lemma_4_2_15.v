@@ -6,7 +6,7 @@
    polygon does once or not at all. *)
 From Coq Require Import Lia List.
 From Oplus Require Import numbers convolution convolution_winding convolution_graph finite_sums regions interiors_meet
-  replaced_segments lemma_4_2_15 simple_chain simple_chains_turn_once polygons_of_the_thesis drawn_regions.
+  replaced_segments lemma_4_2_15 simple_chain simple_chains_turn_once polygons_of_the_thesis.
 Import ListNotations.
 
 (* Of all vertices of P and Q only vertex i of P; or of Q. *)
@@ -87,15 +87,4 @@ Proof.
   - unfold sum_of. rewrite sum_of_zeros; [lia |]. intros [u c] _. reflexivity.
   - intros c. cbn. fold v. destruct (vector_eq_dec v v); [apply Z.mul_1_l | contradiction].
   - intros u c differ. cbn. fold v in differ |- *. now destruct (vector_eq_dec u v).
-Qed.
-
-(* At the inner corner (6, 5) of the room, in a point inside the diamond placed there. *)
-Example at_an_inner_corner : let x := Vector (13 # 2) 5 in
-  winding_number x (replaced (only_vertex OfP room 5) [room] [fitting_diamond]) =
-  (winding_number x (convolution_segments [room] [fitting_diamond]) - 1)%Z.
-Proof.
-  apply (lemma_4_2_15_as_printed room fitting_diamond 5); [apply drawn_polygons .. | | |].
-  - cbn. repeat constructor.
-  - apply off_by_computation. vm_compute. reflexivity.
-  - apply inside_by_computation. vm_compute. reflexivity.
 Qed.

@@ -5,7 +5,7 @@
    same. *)
 From Coq Require Import List.
 From Oplus Require Import numbers convolution convolution_winding regions left_of_an_edge theorem_2_2_6 reflected
-  placed_collision drawn_regions.
+  placed_collision.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -23,14 +23,4 @@ Proof.
     now apply on_reflected.
   - right. exists (minus x v), e. split; [| now split]. apply vertex_of_placed.
     destruct V as (u & U & X & Y). exists u. split; [exact U |]. unfold minus; split; cbn [vx vy]; lra.
-Qed.
-
-(* (2, 3) is on a segment of the convolution of the room and the diamond; there the diamond touches the wall. *)
-Example a_vertex_on_an_edge :
-  (exists v f, is_vertex v [room] /\ In f (region_edges (placed (Vector 2 3) [fitting_diamond])) /\ lies_on v f) \/
-  (exists v e, is_vertex v (placed (Vector 2 3) [fitting_diamond]) /\ In e (region_edges [room]) /\ lies_on v e).
-Proof.
-  apply (observation_4_2_8_as_printed [room] [fitting_diamond] _ (Segment (Vector 2 1) (Vector 2 5))).
-  - vm_compute. tauto.
-  - apply on_edge_by_computation. vm_compute. reflexivity.
 Qed.

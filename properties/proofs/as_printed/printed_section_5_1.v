@@ -7,7 +7,7 @@
    regions, in collision_is_complete.v and section_5_1.v. *)
 From Coq Require Import List.
 From Oplus Require Import numbers convolution interiors_meet naive_collision collision_is_complete section_5_1
-  simple_chain small_polygons simple_polygons polygons_of_the_thesis drawn_regions.
+  simple_chain polygons_of_the_thesis.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -27,14 +27,4 @@ Theorem section_5_1_in_general_position (p q : list vector) (x : vector) :
    edges_cross x [p] [q] \/ a_vertex_is_inside x [p] [q] \/ a_vertex_is_inside x [q] [p]).
 Proof.
   intros. rewrite (collision_in_general_position [p] [q] x) by (trivial; now apply simple_polygons_are_regions). tauto.
-Qed.
-
-(* The square from (0, 0) to (2, 2) touches the room's corner from within; the letter L overlaps it. *)
-Example touching_is_no_collision :
-  ~ (exists z, inside z [room] /\ inside z [points_at [(1, 1); (3, 1); (3, 3); (1, 3)]]) /\
-  (exists z, inside z [room] /\ inside z [letter_l]).
-Proof.
-  rewrite <- !section_5_1_as_printed by first [apply drawn_polygons |
-    split; [apply is_simple_decides |]; vm_compute; reflexivity].
-  split; [vm_compute; discriminate | vm_compute; reflexivity].
 Qed.

@@ -3,7 +3,7 @@
    point of an edge of the other (Definition 2.2.1). It is proved in theorem_2_2_6.v. *)
 From Coq Require Import List.
 From Oplus Require Import numbers convolution regions left_of_an_edge theorem_4_2_1 theorem_2_2_10 theorem_2_2_6
-  polygons_of_the_thesis drawn_regions drawn_sums.
+  polygons_of_the_thesis.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -14,9 +14,3 @@ Theorem theorem_2_2_6_as_printed (p q : region) (x : vector) :
   (exists v f, is_vertex v p /\ In f (region_edges q) /\ lies_on (minus x v) f) \/
   (exists v e, is_vertex v q /\ In e (region_edges p) /\ lies_on (minus x v) e).
 Proof. exact (boundary_is_part_of_the_vertex_edge_sum p q x). Qed.
-
-(* Where the diamond touches the room's wall. *)
-Example the_wall_is_on_the_vertex_edge_sum : on_vertex_edge_sum (Vector 2 3) [room] [fitting_diamond].
-Proof.
-  apply theorem_2_2_6_as_printed; [apply simple_polygons_are_regions, drawn_polygons .. | exact wall_of_the_sum].
-Qed.

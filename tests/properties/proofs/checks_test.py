@@ -12,6 +12,7 @@ import compiled
 import extracted
 import faults
 import headlines
+import over_the_reals
 import sources
 
 RIGHT = "(* True holds. *)\nTheorem right : True.\nProof. exact I. Qed.\n"
@@ -136,6 +137,28 @@ class Headlines(ProofsTest):
         self.assertIn("gap : False", wrong)
         with contextlib.redirect_stderr(io.StringIO()), self.assertRaises(SystemExit):
             headlines.assumptions([self.entry(theorem="unknown")], self.build)
+
+
+class OverTheReals(ProofsTest):
+    def violations(self, text, **texts):
+        texts = {f"{folder}/a.v": required for folder, required in texts.items()}
+        return over_the_reals.violations(list(texts), over_the_reals.rational_only(text), texts)
+
+    def test_the_list(self):
+        self.assertEqual(self.violations("# Why.\nx: computes\n", x="", y=""), [])
+        self.assertEqual(self.violations("x/a.v: computes\n", x="", y=""), [])
+        self.assertEqual(self.violations("x\n", x=""), ["x: no reason"])
+        self.assertEqual(self.violations("y: computes\n", x=""), ["y: no source is or is in it"])
+
+    def test_what_is_about_rational_numbers(self):
+        text = "(* Require Qabs. *)\nFrom Coq Require Import\n  List QArith.\nFrom Coq Require Lqa.\n"
+        self.assertEqual(self.violations("", x=text), ["x/a.v: requires QArith", "x/a.v: requires Lqa"])
+        self.assertEqual(self.violations("x: computes\n", x=text), [])
+
+    def test_axioms(self):
+        self.assertEqual(over_the_reals.axioms("Closed under the global context"), set())
+        self.assertEqual(over_the_reals.axioms("Axioms:\nA.one : forall P : Prop,\n    two : P\nB.long_name\n  : True\n"),
+                         {"A.one", "B.long_name"})
 
 
 class CheckedAgain(ProofsTest):

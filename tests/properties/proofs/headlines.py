@@ -59,19 +59,20 @@ def assumptions(theorems, build):
     return asked([[entry] for entry in theorems], build)
 
 
-def asked(groups, build):
+def asked(groups, build, library="Oplus", required=()):
     """What Coq says the theorems of each group together rest on: it looks at all that they are made of,
-    which many have in common."""
+    which many have in common. The library is compiled in BUILD, those that it requires in other folders."""
     with tempfile.TemporaryDirectory() as directory:
         lines = []
         for number, group in enumerate(groups):
-            lines += [f"Require {one}." for one in sorted({module(entry["file"]) for entry in group})]
-            names = [f"@{module(entry['file'])}.{entry['theorem']}" for entry in group]
+            lines += [f"Require {one}." for one in sorted({module(entry["file"], library) for entry in group})]
+            names = [f"@{module(entry['file'], library)}.{entry['theorem']}" for entry in group]
             lines += [f"Definition group{number} := ({', '.join(names)}).",
                       f'Redirect "{number}" Print Assumptions group{number}.']
         source = Path(directory) / "asked.v"
         source.write_text("\n".join(lines) + "\n", encoding="utf-8")
-        done = subprocess.run(["coqc", "-R", build.resolve(), "Oplus", source], cwd=directory)
+        paths = [word for folder, name in [(build, library), *required] for word in ("-R", folder.resolve(), name)]
+        done = subprocess.run(["coqc", *paths, source], cwd=directory)
         if done.returncode != 0:
             sys.exit("Coq does not know a theorem")
         return [(Path(directory) / f"{number}.out").read_text(encoding="utf-8").strip()

@@ -29,9 +29,9 @@ def without_comments(text):
     return "".join(kept)
 
 
-def module(path):
+def module(path, library="Oplus"):
     """The name by which Coq knows a source of the library."""
-    return "Oplus." + path.removesuffix(".v").replace("/", ".")
+    return f"{library}." + path.removesuffix(".v").replace("/", ".")
 
 
 def unproved(name, text):
