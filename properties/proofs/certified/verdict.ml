@@ -29,6 +29,9 @@ let why s (certificate : Proved.certificate) = function
   | CellOutside n ->
       Printf.sprintf "piece %s of S, %s, is not shown to consist of sums" (Z.to_string n)
         (corners (fst (List.nth certificate.sum_pieces (Z.to_int n))))
+  | EdgesOfP -> "edges of P cross or overlap"
+  | EdgesOfQ -> "edges of Q cross or overlap"
+  | EdgesOfS -> "edges of S cross or overlap"
 
 let of_certificate p q s certificate =
   match Proved.check (Regions.specified p) (Regions.specified q) (Regions.specified s) certificate with

@@ -40,6 +40,9 @@ let refusal : refusal option -> Proved.refusal Option.t = function
   | Some RootOutside -> Some Proved.RootOutside
   | Some (EdgeInside n) -> Some (Proved.EdgeInside (natural n))
   | Some (CellOutside n) -> Some (Proved.CellOutside (natural n))
+  | Some EdgesOfP -> Some Proved.EdgesOfP
+  | Some EdgesOfQ -> Some Proved.EdgesOfQ
+  | Some EdgesOfS -> Some Proved.EdgesOfS
 
 let () =
   let p = Regions.read Sys.argv.(1) and q = Regions.read Sys.argv.(2) and s = Regions.read Sys.argv.(3) in
