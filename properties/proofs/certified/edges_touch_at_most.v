@@ -209,7 +209,7 @@ Proof.
   split; cbn [vx vy as_vector] in *; [now rewrite first_x, second_x | now rewrite first_y, second_y].
 Qed.
 
-Lemma pairs_of_images {A B} (f : A -> B) (of_images : B -> B -> Prop) (related : A -> A -> Prop) (l : list A) :
+Lemma pairs_if_of_images {A B} (f : A -> B) (of_images : B -> B -> Prop) (related : A -> A -> Prop) (l : list A) :
   (forall a b, of_images (f a) (f b) -> related a b) -> ForallOrdPairs of_images (map f l) -> ForallOrdPairs related l.
 Proof.
   intros all. induction l as [| a l IH]; intros of_l; [constructor |]. inversion_clear of_l as [| ? ? first_ rest].
@@ -222,7 +222,7 @@ Theorem found_edges_touch_at_most (D : positive) (r : polygonal_region) :
   touch_at_most D (hedges_of_region r) = true -> edges_touch_at_most r.
 Proof.
   intros found%all_pairs_touch. unfold hedges_of_region in found. rewrite map_map in found. revert found.
-  apply pairs_of_images. intros e f touching x [in_e in_f]. apply within_divides in in_e, in_f.
+  apply pairs_if_of_images. intros e f touching x [in_e in_f]. apply within_divides in in_e, in_f.
   destruct in_e as (t & t_range & on_e), in_f as (u & u_range & on_f).
   apply (touching _ _ (as_vector x) eq_refl eq_refl). now exists t, u.
 Qed.
