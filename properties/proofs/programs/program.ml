@@ -1,7 +1,7 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* What the programs have in common: one line for each error, the exit code 2, and the limits on memory. *)
 
-let refuse message = raise (Words.Invalid message)
+let refuse message = raise (Files.Invalid message)
 let too_small = "the memory is too small for these files"
 
 let say_and_exit name message =
@@ -32,7 +32,7 @@ let run name answer =
     flush stdout;
     exit code
   with
-  | Words.Invalid message -> say message
+  | Files.Invalid message -> say message
   | Sys_error why -> cannot_write why
   | Unix.Unix_error (why, _, _) -> say (Unix.error_message why)
   | Out_of_memory | Stack_overflow -> say too_small

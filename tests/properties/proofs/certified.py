@@ -199,7 +199,7 @@ ENDLESS = ["yes", "yes '('", "cat /dev/zero", "echo 'oplus certificate 1'; yes u
 class Test(ProgramTest):
     def __init__(self, program, build, folder):
         super().__init__(program, folder)
-        self.both = beside_plain("both_checkers", build, folder, "certificates.ml")
+        self.both = beside_plain("both_checkers", build, folder, "words.ml", "certificates.ml")
 
     def run_on(self, texts, *options):
         """What the program answers. Fails unless both checkers do so."""
