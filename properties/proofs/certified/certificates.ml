@@ -81,7 +81,8 @@ let rec cells depth text =
       Proved.SumsOf (i, j)
   | "cut" when depth < deepest_tree ->
       let coefficient () =
-        let digits = if String.starts_with ~prefix:"-" text.word then String.sub text.word 1 (String.length text.word - 1) else text.word in
+        let is_negative = String.starts_with ~prefix:"-" text.word in
+        let digits = if is_negative then String.sub text.word 1 (String.length text.word - 1) else text.word in
         if not (is_natural digits) then refuse_word text "an integer";
         Z.of_string (take text)
       in

@@ -72,7 +72,8 @@ Lemma accepted_edges (p q s : polygonal_region) (c : certificate) : accepts p q 
 Proof.
   unfold accepts, check. cbv zeta. intros accepted.
   do 6 match type of accepted with
-  | (match (if negb ?test then _ else _) with _ => _ end) = true => destruct test; cbn [negb] in accepted; [| discriminate]
+  | (match (if negb ?test then _ else _) with _ => _ end) = true =>
+    destruct test; cbn [negb] in accepted; [| discriminate]
   end.
   do 2 (destruct (first_failure _ _ _); [discriminate |]).
   destruct (touch_at_most _ (hedges_of_region p)) eqn:p_touch; [| discriminate].

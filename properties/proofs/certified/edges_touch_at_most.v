@@ -1,10 +1,11 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* What the checker's search for edges that cross or overlap finds: if it finds none, no two edges of a region have a point
-   in common that is an end of neither. A line between two edges, with an end of one of them off it, shows that: a point
-   within that edge is off the line, too, and on the other side than the other edge. Boxes that are disjoint have no point
-   in common. The search looks at all pairs: in each half of a tree, and of one half and the other. *)
+(* What the checker's search for edges that cross or overlap finds: if it finds none, no two edges of a region have a
+   point in common that is an end of neither. A line between two edges, with an end of one of them off it, shows that: a
+   point within that edge is off the line, too, and on the other side than the other edge. Boxes that are disjoint have
+   no point in common. The search looks at all pairs: in each half of a tree, and of one half and the other. *)
 From Coq Require Import QArith Lqa ZArith Lia Bool List Permutation.
-From Oplus Require Import direction angular_crossings winding_number specification checker homogeneous_points specification_bridge edges_beside_sums.
+From Oplus Require Import direction angular_crossings winding_number specification checker homogeneous_points
+  specification_bridge edges_beside_sums.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -23,7 +24,8 @@ Proof. intros [x_is y_is]. unfold value_at. rewrite x_is, y_is. cbn [vx vy]. rin
 
 Lemma separated_edges_touch (l : line) (x : vector) (e f : hedge) : separates l e f = true -> ~ is_inside_both x e f.
 Proof.
-  unfold separates. cbv zeta. rewrite !andb_true_iff, negb_true_iff, !Z.leb_le, !value_not_positive, !value_not_negative.
+  unfold separates. cbv zeta. rewrite !andb_true_iff, negb_true_iff, !Z.leb_le, !value_not_positive,
+    !value_not_negative.
   intros [[[[a b] c] d] off] (t & u & t_range & u_range & on_e & on_f).
   pose proof (value_divided l x e t on_e) as by_e. pose proof (value_divided l x f u on_f) as by_f.
   assert (not_all : ~ (value_at l (vector_of (fst e)) == 0 /\ value_at l (vector_of (snd e)) == 0 /\
@@ -38,7 +40,8 @@ Proof. intros (t & u & all). exists u, t. tauto. Qed.
 Lemma edge_on_one_side_touches (x : vector) (e f : hedge) : is_on_one_side e f = true -> ~ is_inside_both x e f.
 Proof.
   unfold is_on_one_side. cbv zeta.
-  rewrite andb_true_iff, orb_true_iff, !andb_true_iff, negb_true_iff, !Z.leb_le, !value_not_positive, !value_not_negative.
+  rewrite andb_true_iff, orb_true_iff, !andb_true_iff, negb_true_iff, !Z.leb_le, !value_not_positive,
+    !value_not_negative.
   set (l := line_through (fst e) (snd e)). intros [sides_ off] (t & u & t_range & u_range & on_e & on_f).
   pose proof (value_divided l x e t on_e) as by_e. pose proof (value_divided l x f u on_f) as by_f.
   assert (zero_ : value_at l x == 0).
@@ -73,7 +76,8 @@ Section Boxes.
     split; now apply between.
   Qed.
 
-  Lemma disjoint_boxes (b c : bounding_box) (x : vector) : are_disjoint b c = true -> in_box D b x -> in_box D c x -> False.
+  Lemma disjoint_boxes (b c : bounding_box) (x : vector) : are_disjoint b c = true -> in_box D b x -> in_box D c x ->
+    False.
   Proof.
     unfold are_disjoint, in_box. rewrite !orb_true_iff, !Z.ltb_lt, !Zlt_Qlt.
     intros [[[] |] |] [] []; lra.
@@ -83,10 +87,12 @@ Section Boxes.
   Definition touch (g h : piece) : Prop :=
     forall e f x, g = piece_of_edge e -> h = piece_of_edge f -> ~ is_inside_both x e f.
 
-  Lemma touch_if_disjoint (t u : tree) : is_well_boxed D t -> is_well_boxed D u -> are_disjoint (box_of t) (box_of u) = true ->
+  Lemma touch_if_disjoint (t u : tree) : is_well_boxed D t -> is_well_boxed D u ->
+    are_disjoint (box_of t) (box_of u) = true ->
     forall g h, In g (pieces_in t) -> In h (pieces_in u) -> touch g h.
   Proof.
-    intros boxed_t%well_boxed_has boxed_u%well_boxed_has far g h G H e f x -> -> (s & r & s_range & r_range & on_e & on_f).
+    intros boxed_t%well_boxed_has boxed_u%well_boxed_has far g h G H e f x -> ->
+      (s & r & s_range & r_range & on_e & on_f).
     apply (disjoint_boxes (box_of t) (box_of u) x far).
     - apply (in_box_if_ends_are _ x e s); trivial; apply (boxed_t (piece_of_edge e) _ G); [now left | right; now left].
     - apply (in_box_if_ends_are _ x f r); trivial; apply (boxed_u (piece_of_edge f) _ H); [now left | right; now left].
@@ -103,7 +109,8 @@ Section Boxes.
     | Leaf _ _, Node _ u1 u2 => touch_each_other t u1 && touch_each_other t u2
     | Node _ t1 t2, Leaf _ _ => touch_each_other t1 u && touch_each_other t2 u
     | Node b t1 t2, Node c u1 u2 =>
-      if is_larger b c then touch_each_other t1 u && touch_each_other t2 u else touch_each_other t u1 && touch_each_other t u2
+      if is_larger b c then touch_each_other t1 u && touch_each_other t2 u
+      else touch_each_other t u1 && touch_each_other t u2
     end.
   Proof. destruct t, u; reflexivity. Qed.
 
@@ -117,14 +124,17 @@ Section Boxes.
     - apply andb_true_iff in found. destruct found as [one other], boxed_u as (_ & boxed1 & boxed2).
       intros g' h' G H. apply in_app_or in H. destruct H as [H | H]; [now apply IHu1 | now apply IHu2].
     - apply andb_true_iff in found. destruct found as [one other], boxed_t as (_ & boxed1 & boxed2).
-      intros g' h' G H. apply in_app_or in G. destruct G as [G | G]; [now apply (IH1 (Leaf c h)) | now apply (IH2 (Leaf c h))].
+      intros g' h' G H. apply in_app_or in G.
+      destruct G as [G | G]; [now apply (IH1 (Leaf c h)) | now apply (IH2 (Leaf c h))].
     - destruct (is_larger b c); apply andb_true_iff in found; destruct found as [one other]; intros g' h' G H.
       + destruct boxed_t as (_ & boxed1 & boxed2). apply in_app_or in G.
         destruct G as [G | G]; [now apply (IH1 (Node c u1 u2)) | now apply (IH2 (Node c u1 u2))].
-      + destruct boxed_u as (_ & boxed1 & boxed2). apply in_app_or in H. destruct H as [H | H]; [now apply IHu1 | now apply IHu2].
+      + destruct boxed_u as (_ & boxed1 & boxed2). apply in_app_or in H.
+        destruct H as [H | H]; [now apply IHu1 | now apply IHu2].
   Qed.
 
-  Lemma pairs_of_both {A} (related : A -> A -> Prop) (l m : list A) : ForallOrdPairs related l -> ForallOrdPairs related m ->
+  Lemma pairs_of_both {A} (related : A -> A -> Prop) (l m : list A) : ForallOrdPairs related l ->
+    ForallOrdPairs related m ->
     (forall a b, In a l -> In b m -> related a b) -> ForallOrdPairs related (l ++ m).
   Proof.
     intros of_l of_m of_both. induction of_l as [| a l first_ rest IH]; [exact of_m |]. cbn [app]. constructor.
@@ -151,7 +161,8 @@ Section Boxes.
     - now apply IH', IH.
   Qed.
 
-  Lemma parts_permute {A} (f : A -> bool) (l one other : list A) : partition f l = (one, other) -> Permutation (one ++ other) l.
+  Lemma parts_permute {A} (f : A -> bool) (l one other : list A) : partition f l = (one, other) ->
+    Permutation (one ++ other) l.
   Proof.
     revert one other. induction l as [| a l IH]; intros one other parts; cbn [partition] in parts.
     - now injection parts as <- <-.
@@ -170,18 +181,22 @@ Section Boxes.
     do 5 (destruct l as [| ? l]; [apply as_they_come |]). cbv zeta.
     match goal with |- context [partition ?before ?whole] => set (test := before); set (all := whole) end.
     destruct (partition test all) as [[| a one] other] eqn:parts; [apply as_they_come |].
-    apply parts_permute in parts. destruct (IH (a :: one)) as [same_one boxed_one], (IH other) as [same_other boxed_other].
-    destruct (as_they_come 1%nat (trees_by_place fewer (a :: one) ++ trees_by_place fewer other)) as [same_both boxed_both].
+    apply parts_permute in parts. destruct (IH (a :: one)) as [same_one boxed_one],
+      (IH other) as [same_other boxed_other].
+    destruct (as_they_come 1%nat (trees_by_place fewer (a :: one) ++ trees_by_place fewer other))
+      as [same_both boxed_both].
     split.
     - rewrite same_both, flat_map_app, same_one, same_other, <- flat_map_app. now apply Permutation_flat_map.
     - intros boxed. rewrite <- parts in boxed. apply Forall_app in boxed. apply boxed_both, Forall_app. tauto.
   Qed.
 
-  Lemma leaves_of_edges (es : list hedge) : flat_map pieces_in (flat_map (leaf_of D) (map piece_of_edge es)) = map piece_of_edge es /\
+  Lemma leaves_of_edges (es : list hedge) : flat_map pieces_in (flat_map (leaf_of D) (map piece_of_edge es)) =
+    map piece_of_edge es /\
     Forall (is_well_boxed D) (flat_map (leaf_of D) (map piece_of_edge es)).
   Proof.
     induction es as [| e es [same_ boxed]]; [now repeat constructor |]. cbn [map flat_map]. split.
-    - change (piece_of_edge e :: flat_map pieces_in (flat_map (leaf_of D) (map piece_of_edge es)) = piece_of_edge e :: map piece_of_edge es).
+    - change (piece_of_edge e :: flat_map pieces_in (flat_map (leaf_of D) (map piece_of_edge es)) =
+        piece_of_edge e :: map piece_of_edge es).
       now f_equal.
     - apply Forall_app. split; [apply leaf_is_well_boxed | exact boxed].
   Qed.
@@ -190,7 +205,8 @@ Section Boxes.
   Proof.
     unfold touch_at_most. intros found. destruct (leaves_of_edges es) as [same_ boxed].
     destruct (trees_by_place_keep 64 (flat_map (leaf_of D) (map piece_of_edge es))) as [permuted all_boxed].
-    specialize (all_boxed boxed). rewrite same_ in permuted. apply (pairs_in_another_order touch _ _) in permuted; [exact permuted | |].
+    specialize (all_boxed boxed). rewrite same_ in permuted.
+    apply (pairs_in_another_order touch _ _) in permuted; [exact permuted | |].
     - intros g h touching e f x -> -> meet. exact (touching f e x eq_refl eq_refl (turned_pair x e f meet)).
     - destruct (trees_by_place 64 _) as [| t [| ? ?]]; [constructor | | discriminate].
       cbn [flat_map]. rewrite app_nil_r. inversion_clear all_boxed. now apply touch_in_one.

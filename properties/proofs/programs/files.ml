@@ -22,8 +22,8 @@ let open_file = function
       (match channel with Some channel -> channel | None -> raise (Invalid "standard input can be read once only"))
   | name -> open_in_bin name
 
-(* What is read from a file that has nothing else in it. `read` takes the name for messages and a function that, given the
-   number of the line, returns the next block, which is empty at the end. *)
+(* What is read from a file that has nothing else in it. `read` takes the name for messages and a function that, given
+   the number of the line, returns the next block, which is empty at the end. *)
 let read name read =
   match open_file name with
   | exception Sys_error why -> raise (Invalid (String.escaped why))
@@ -37,7 +37,8 @@ let read name read =
           with Sys_error why -> refuse name line (String.escaped why) "a file that can be read"
         in
         size := !size + count;
-        if !size > longest_text then refuse name line "the text is too long" (Printf.sprintf "at most %d bytes" longest_text);
+        if !size > longest_text then
+          refuse name line "the text is too long" (Printf.sprintf "at most %d bytes" longest_text);
         Bytes.sub_string block 0 count
       in
       Fun.protect (fun () -> read name next_block) ~finally:(fun () -> close_in_noerr channel)

@@ -25,7 +25,8 @@ Qed.
 
 Lemma value_of_digits_is (levels : nat) : forall base digits, value_of_digits levels base digits = value_in base digits.
 Proof.
-  induction levels as [| fewer IH]; intros base [| a [| b digits]]; cbn [value_of_digits]; try reflexivity; try (cbn; ring).
+  induction levels as [| fewer IH]; intros base [| a [| b digits]]; cbn [value_of_digits]; try reflexivity;
+    try (cbn; ring).
   rewrite IH. apply value_in_pairs.
 Qed.
 
@@ -84,7 +85,8 @@ Lemma digits_are_read (w : text) : starts_without_digit w -> forall digits found
   leading_digits found (map (Z.add digit_0) digits ++ w) = (rev digits ++ found, w).
 Proof.
   intros after. induction digits as [| d digits IH]; intros found all.
-  - cbn [map app rev]. destruct w as [| b w]; [reflexivity |]. cbn [starts_without_digit] in after. cbn [leading_digits].
+  - cbn [map app rev]. destruct w as [| b w]; [reflexivity |]. cbn [starts_without_digit] in after.
+    cbn [leading_digits].
     fold (is_digit_byte b). now rewrite after.
   - inversion_clear all as [| ? ? digit_ rest]. cbn [map app leading_digits]. fold (is_digit_byte (digit_0 + d)).
     replace (is_digit_byte (digit_0 + d)) with true.
@@ -93,7 +95,8 @@ Proof.
       apply andb_true_iff. split; apply Z.leb_le; lia.
 Qed.
 
-Lemma printed_digits_are_read (digits : list Z) (found : list Z) (w : text) : Forall is_digit digits -> starts_without_digit w ->
+Lemma printed_digits_are_read (digits : list Z) (found : list Z) (w : text) : Forall is_digit digits ->
+  starts_without_digit w ->
   leading_digits found (printed_digits digits ++ w) = (digits ++ found, w).
 Proof.
   intros all after. unfold printed_digits. rewrite reversed_as_rev, digits_are_read; trivial.
@@ -104,7 +107,8 @@ Qed.
 Lemma printed_digits_start (digits : list Z) (w : text) : Forall is_digit digits -> digits <> [] ->
   exists d rest, printed_digits digits ++ w = digit_0 + d :: rest /\ is_digit d.
 Proof.
-  intros all some. unfold printed_digits. rewrite reversed_as_rev. apply Forall_rev in all. destruct (rev digits) as [| d rest] eqn:turned.
+  intros all some. unfold printed_digits. rewrite reversed_as_rev. apply Forall_rev in all.
+  destruct (rev digits) as [| d rest] eqn:turned.
   - destruct some. rewrite <- (rev_involutive digits), turned. reflexivity.
   - inversion_clear all as [| ? ? digit_ more]. cbn [map app]. now exists d, (map (Z.add digit_0) rest ++ w).
 Qed.
@@ -126,7 +130,8 @@ Lemma sign_times_size (n : Z) : (if n <? 0 then -1 else 1) * Z.abs n = n.
 Proof. destruct (Z.ltb_spec n 0); lia. Qed.
 
 Lemma fraction_is_read (q : Q) : number_in (signed (Qnum q <? 0) (printed_digits (digits_of_natural (Z.abs (Qnum q))) ++
-  match Qden q with xH => [] | _ => slash_sign :: printed_digits (digits_of_natural (Zpos (Qden q))) end)) = inl (Qred q).
+  match Qden q with xH => [] | _ => slash_sign :: printed_digits (digits_of_natural (Zpos (Qden q))) end)) =
+    inl (Qred q).
 Proof.
   destruct (digits_of_natural_are (Z.abs (Qnum q))) as (_ & whole & some); [lia |].
   set (after := match Qden q with xH => [] | _ => slash_sign :: printed_digits (digits_of_natural (Zpos (Qden q))) end).
@@ -151,7 +156,8 @@ Proof.
     rewrite !app_nil_r in is_read. cbv iota. rewrite is_read.
     rewrite (natural_of_digits (Z.abs n)), sign_times_size by lia.
     destruct (digits_of_natural (Z.abs n)) as [| ? ?]; [easy |].
-    destruct (digits_of_natural (Zpos below)) as [| b bs] eqn:B; [easy |]. rewrite <- B, natural_of_digits by lia. reflexivity. }
+    destruct (digits_of_natural (Zpos below)) as [| b bs] eqn:B; [easy |]. rewrite <- B, natural_of_digits by lia.
+    reflexivity. }
   destruct e as [e | e |].
   - rewrite <- (of_one (xI e)) by easy. reflexivity.
   - rewrite <- (of_one (xO e)) by easy. reflexivity.
@@ -164,22 +170,29 @@ Proof.
 Qed.
 
 Lemma decimal_is_read (q : Q) (k : positive) : power_of_ten k mod Zpos (Qden q) = 0 ->
-  number_in (signed (Qnum q <? 0) (printed_decimal (Z.abs (Qnum q) * (power_of_ten k / Zpos (Qden q))) k)) = inl (Qred q).
+  number_in (signed (Qnum q <? 0) (printed_decimal (Z.abs (Qnum q) * (power_of_ten k / Zpos (Qden q))) k)) =
+    inl (Qred q).
 Proof.
   intros divides. set (m := power_of_ten k / Zpos (Qden q)). pose proof (power_of_ten_is_positive k) as power.
-  assert (power_is : power_of_ten k = Zpos (Qden q) * m) by (unfold m; pose proof (Z.div_mod (power_of_ten k) (Zpos (Qden q))); lia).
+  assert (power_is : power_of_ten k = Zpos (Qden q) * m) by (unfold m;
+    pose proof (Z.div_mod (power_of_ten k) (Zpos (Qden q))); lia).
   assert (0 < m) by nia. unfold printed_decimal.
   destruct (digits_of_natural_are (Z.abs (Qnum q) * m)) as (value_ & digits & some); [nia |].
   set (count := Pos.to_nat k). set (all := digits_of_natural _ ++ repeat 0 _).
   assert (all_digits : Forall is_digit all).
-  { apply Forall_app. split; [exact digits |]. apply Forall_forall. intros d D. apply repeat_spec in D. subst d. unfold is_digit. lia. }
+  { apply Forall_app. split; [exact digits |]. apply Forall_forall. intros d D. apply repeat_spec in D. subst d.
+    unfold is_digit. lia. }
   assert (long : (count < length all)%nat) by (unfold all; rewrite app_length, repeat_length; lia).
-  rewrite <- (firstn_skipn count all) in all_digits. apply Forall_app in all_digits. destruct all_digits as [decimals_ whole].
-  assert (whole_some : skipn count all <> []) by (intros none; apply (f_equal (@length Z)) in none; rewrite skipn_length in none; cbn in none; lia).
-  destruct (printed_digits_start _ (full_stop :: printed_digits (firstn count all)) whole whole_some) as (d & rest & starts & digit_).
+  rewrite <- (firstn_skipn count all) in all_digits. apply Forall_app in all_digits.
+  destruct all_digits as [decimals_ whole].
+  assert (whole_some : skipn count all <> []) by (intros none; apply (f_equal (@length Z)) in none;
+    rewrite skipn_length in none; cbn in none; lia).
+  destruct (printed_digits_start _ (full_stop :: printed_digits (firstn count all)) whole whole_some) as (d & rest &
+    starts & digit_).
   unfold number_in. rewrite starts. destruct (sign_is_read (Qnum q <? 0) d rest digit_) as [-> ->]. rewrite <- starts.
   rewrite printed_digits_are_read, app_nil_r by first [exact whole | reflexivity].
-  change (begins_with slash_sign (full_stop :: ?w)) with false. change (begins_with full_stop (full_stop :: ?w)) with true.
+  change (begins_with slash_sign (full_stop :: ?w)) with false.
+  change (begins_with full_stop (full_stop :: ?w)) with true.
   cbn [tl]. cbv iota.
   pose proof (printed_digits_are_read (firstn count all) (skipn count all) [] decimals_ I) as is_read.
   rewrite app_nil_r, firstn_skipn in is_read. rewrite is_read. cbv iota zeta.
@@ -187,13 +200,15 @@ Proof.
     by (rewrite skipn_length; unfold count in *; lia).
   assert (natural_of all = Z.abs (Qnum q) * m) as ->.
   { unfold natural_of. rewrite value_of_digits_is. unfold all. now rewrite value_with_zeros. }
-  destruct all as [| a l]; [cbn in long; lia |]. rewrite Z.mul_assoc, sign_times_size. cbn [Z.opp times_power_of_ten]. f_equal.
+  destruct all as [| a l]; [cbn in long; lia |]. rewrite Z.mul_assoc, sign_times_size. cbn [Z.opp times_power_of_ten].
+  f_equal.
   apply Qred_complete. unfold Qeq. cbn [Qnum Qden]. rewrite Z2Pos.id by lia. rewrite power_is. ring.
 Qed.
 
 Lemma printed_in_lowest_terms_is_read (q : Q) : number_in (printed_in_lowest_terms q) = inl (Qred q).
 Proof.
-  unfold printed_in_lowest_terms. destruct (decimals_of (Qden q)) as [| k |]; [apply fraction_is_read | | apply fraction_is_read].
+  unfold printed_in_lowest_terms. destruct (decimals_of (Qden q)) as [| k |];
+    [apply fraction_is_read | | apply fraction_is_read].
   destruct (Z.eqb_spec (power_of_ten k mod Zpos (Qden q)) 0) as [divides |]; [| apply fraction_is_read].
   now apply decimal_is_read.
 Qed.

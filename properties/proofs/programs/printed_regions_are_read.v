@@ -1,7 +1,7 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* What is printed (region_printer.v) is read (region_reader.v) as itself: of every list of polygons with holes, if their
-   chains have the right orientations, and numbers are in lowest terms and no longer than words may be. What the reader is at
-   after each part of the text, a word, a point, a ring, a polygon, follows from what it was at before. *)
+(* What is printed (region_printer.v) is read (region_reader.v) as itself: of every list of polygons with holes, if
+   their chains have the right orientations, and numbers are in lowest terms and no longer than words may be. What the
+   reader is at after each part of the text, a word, a point, a ring, a polygon, follows from what it was at before. *)
 From Coq Require Import QArith ZArith Lia Bool String List.
 From Oplus Require Import specification region_reader region_printer printed_numbers_are_read.
 Import ListNotations.
@@ -14,7 +14,8 @@ Definition is_plain (b : Z) : bool :=
   negb ((b =? opening_sign) || (b =? closing_sign) || (b =? comma_sign) || (b =? blank_sign) || (b =? tab) ||
     (b =? carriage_return) || (b =? new_line)).
 
-Definition is_word (w : text) : Prop := w <> [] /\ Forall (fun b => is_plain b = true) w /\ Z.of_nat (length w) <= longest_word.
+Definition is_word (w : text) : Prop := w <> [] /\ Forall (fun b => is_plain b = true) w /\
+  Z.of_nat (length w) <= longest_word.
 
 (* Before a word in this line. *)
 Definition reading_at (line : Z) (p : stage) (r : so_far) : reading := Reading line [] 0 p r.
@@ -35,7 +36,8 @@ Proof.
     cbn [rev]. rewrite <- app_assoc. cbn [app]. do 2 f_equal. lia.
 Qed.
 
-Lemma words_are_taken (w : text) (b line : Z) (p : stage) (r : so_far) : is_word w -> is_plain b = false -> b <> new_line ->
+Lemma words_are_taken (w : text) (b line : Z) (p : stage) (r : so_far) : is_word w -> is_plain b = false ->
+  b <> new_line ->
   fold_left take_byte (w ++ [b]) (taken_to line p r) =
     and_then (go_on (reading_at line p r) w) (fun s =>
       if (b =? opening_sign) || (b =? closing_sign) || (b =? comma_sign) then go_on s [b] else inl s).
@@ -67,23 +69,28 @@ Proof. reflexivity. Qed.
 
 Definition is_printable_number (q : Q) : Prop := Qred q = q /\ Z.of_nat (length (printed_number q)) <= longest_word.
 
-Lemma digits_are_plain (digits : list Z) : Forall is_digit digits -> Forall (fun b => is_plain b = true) (printed_digits digits).
+Lemma digits_are_plain (digits : list Z) : Forall is_digit digits ->
+  Forall (fun b => is_plain b = true) (printed_digits digits).
 Proof.
-  intros all. unfold printed_digits. rewrite reversed_as_rev. apply Forall_map, Forall_rev. refine (Forall_impl _ _ all). intros d range. unfold is_digit in range.
-  unfold is_plain. change digit_0 with 48. change opening_sign with 40. change closing_sign with 41. change comma_sign with 44.
+  intros all. unfold printed_digits. rewrite reversed_as_rev. apply Forall_map, Forall_rev.
+  refine (Forall_impl _ _ all). intros d range. unfold is_digit in range.
+  unfold is_plain. change digit_0 with 48. change opening_sign with 40. change closing_sign with 41.
+  change comma_sign with 44.
   change blank_sign with 32. change tab with 9. change carriage_return with 13. change new_line with 10.
   rewrite !(proj2 (Z.eqb_neq (48 + d) _)) by lia. reflexivity.
 Qed.
 
 Lemma some_digits (digits : list Z) : digits <> [] -> printed_digits digits <> [].
 Proof.
-  intros some none. apply some. unfold printed_digits in none. rewrite reversed_as_rev in none. apply map_eq_nil in none.
+  intros some none. apply some. unfold printed_digits in none. rewrite reversed_as_rev in none.
+  apply map_eq_nil in none.
   now rewrite <- (rev_involutive digits), none.
 Qed.
 
 Lemma printed_numbers_are_words (q : Q) : is_printable_number q -> is_word (printed_number q).
 Proof.
-  intros [_ short]. split; [| split; [| exact short]]; clear short; unfold printed_number; generalize (Qred q); clear q; intros q;
+  intros [_ short]. split; [| split; [| exact short]]; clear short; unfold printed_number; generalize (Qred q);
+    clear q; intros q;
     unfold printed_in_lowest_terms.
   - destruct (digits_of_natural_are (Z.abs (Qnum q))) as (_ & _ & some); [lia |]. apply some_digits in some.
     intros none. apply app_eq_nil in none. destruct none as [_ none].
@@ -95,7 +102,8 @@ Proof.
       by (intros n sign; now apply digits_are_plain, digits_of_natural_are).
     assert (fraction : Forall (fun b => is_plain b = true) (printed_digits (digits_of_natural (Z.abs (Qnum q))) ++
       match Qden q with xH => [] | _ => slash_sign :: printed_digits (digits_of_natural (Zpos (Qden q))) end)).
-    { apply Forall_app. split; [apply of_natural; lia |]. destruct (Qden q); constructor; trivial; apply of_natural; lia. }
+    { apply Forall_app. split; [apply of_natural; lia |].
+      destruct (Qden q); constructor; trivial; apply of_natural; lia. }
     destruct (decimals_of (Qden q)) as [| k |]; [exact fraction | | exact fraction].
     destruct (_ =? 0); [| exact fraction]. unfold printed_decimal. set (n := _ * _). set (count := Pos.to_nat k).
     assert (all : Forall is_digit (digits_of_natural n ++ repeat 0 (S count - length (digits_of_natural n)))).
@@ -121,25 +129,32 @@ Lemma points_are_taken (v : point) (b line : Z) (all : lists) (r : so_far) : is_
 Proof.
   intros [printable_x printable_y] symbol. unfold printed_point.
   change (printed_number (x_of v) ++ blank_sign :: ?w) with (printed_number (x_of v) ++ [blank_sign] ++ w).
-  rewrite app_assoc, <- app_assoc, fold_left_app. rewrite words_are_taken by first [now apply printed_numbers_are_words | reflexivity | discriminate].
+  rewrite app_assoc, <- app_assoc, fold_left_app.
+  rewrite words_are_taken by first [now apply printed_numbers_are_words | reflexivity | discriminate].
   unfold go_on at 1. cbn [reading_at stage_of result line_number take_word with_number]. unfold with_number.
   rewrite number_in_printed by trivial. cbn [and_then].
-  change ((blank_sign =? opening_sign) || (blank_sign =? closing_sign) || (blank_sign =? comma_sign)) with false. cbv iota.
+  change ((blank_sign =? opening_sign) || (blank_sign =? closing_sign) || (blank_sign =? comma_sign)) with false.
+  cbv iota.
   change (inl (Reading line [] 0 (Y all (x_of v)) r)) with (taken_to line (Y all (x_of v)) r).
   rewrite words_are_taken;
-    [| now apply printed_numbers_are_words | destruct symbol as [-> | ->]; reflexivity | destruct symbol as [-> | ->]; discriminate].
+    [| now apply printed_numbers_are_words | destruct symbol as [-> | ->]; reflexivity | destruct symbol as [-> | ->];
+      discriminate].
   unfold go_on at 1. cbn [reading_at stage_of result line_number take_word with_number]. unfold with_number.
   rewrite number_in_printed by trivial. cbn [and_then]. destruct symbol as [-> | ->]; reflexivity.
 Qed.
 
-Lemma lists_of_points_are_taken (line : Z) (all : lists) (points : chain) : forall v r, Forall is_printable_point (v :: points) ->
-  fold_left take_byte (printed_point v ++ after_commas (map printed_point points) ++ [closing_sign]) (taken_to line (X all) r) =
-    go_on (reading_at line (Next all Points) (SoFar (chains r) (rev points ++ v :: ring_so_far r) (is_hole r) (is_unbounded r)))
+Lemma lists_of_points_are_taken (line : Z) (all : lists) (points : chain) : forall v r,
+  Forall is_printable_point (v :: points) ->
+  fold_left take_byte (printed_point v ++ after_commas (map printed_point points) ++ [closing_sign])
+    (taken_to line (X all) r) =
+    go_on (reading_at line (Next all Points) (SoFar (chains r) (rev points ++ v :: ring_so_far r) (is_hole r)
+      (is_unbounded r)))
       [closing_sign].
 Proof.
   induction points as [| u points IH]; intros v r printable; inversion_clear printable as [| ? ? printable_v others].
   - cbn [map after_commas app]. rewrite points_are_taken by (trivial; now right). now destruct v.
-  - cbn [map after_commas]. change ((comma_sign :: blank_sign :: ?w) ++ ?rest) with ([comma_sign] ++ blank_sign :: (w ++ rest)).
+  - cbn [map after_commas]. change ((comma_sign :: blank_sign :: ?w) ++ ?rest) with ([comma_sign] ++ blank_sign ::
+      (w ++ rest)).
     rewrite app_assoc, fold_left_app, points_are_taken by (trivial; now left).
     change (go_on _ [comma_sign]) with (taken_to line (X all) (with_vertex r (x_of v) (y_of v))).
     cbn [fold_left]. rewrite blank_is_taken, <- app_assoc, IH by trivial. unfold with_vertex.
@@ -174,7 +189,8 @@ Proof.
     cbv iota. unfold with_ring. cbn [rev app ring_so_far].
     assert (others : exists v l, rev rest ++ [first] = v :: l) by (destruct (rev rest); now eexists _, _).
     destruct others as (v & l & is_). rewrite is_, <- is_, last_last, points_compared_refl.
-    rewrite reversed_as_rev, rev_app_distr, rev_involutive. cbn [rev app]. unfold with_chain. cbn [is_hole chains is_unbounded].
+    rewrite reversed_as_rev, rev_app_distr, rev_involutive. cbn [rev app]. unfold with_chain.
+    cbn [is_hole chains is_unbounded].
     now rewrite is_oriented.
   - inversion_clear printable as [| ? ? printable_first others]. constructor; [exact printable_first |].
     apply Forall_app. split; [exact others | now constructor].
@@ -182,7 +198,8 @@ Qed.
 
 Lemma lists_of_rings_are_taken (line : Z) (all : lists) (holes : list chain) : all <> Points -> forall c r,
   is_printable_chain (negb (is_hole r)) c -> Forall (is_printable_chain false) holes -> ring_so_far r = [] ->
-  fold_left take_byte (printed_ring c ++ after_commas (map printed_ring holes) ++ [closing_sign]) (taken_to line (Opening all Points) r) =
+  fold_left take_byte (printed_ring c ++ after_commas (map printed_ring holes) ++ [closing_sign])
+    (taken_to line (Opening all Points) r) =
     taken_to line (after_list all Rings) (SoFar (rev holes ++ c :: chains r) [] true (is_unbounded r)).
 Proof.
   intros lists_. induction holes as [| hole holes IH]; intros c r printable others none; rewrite fold_left_app;
@@ -204,7 +221,8 @@ Definition is_printable_polygon (p : chain * list chain) : Prop :=
 
 Definition chains_in (p : chain * list chain) : polygonal_region := fst p :: snd p.
 
-Lemma polygons_are_taken (line : Z) (all : lists) (start_ : stage) (p : chain * list chain) (r : so_far) : all <> Points ->
+Lemma polygons_are_taken (line : Z) (all : lists) (start_ : stage) (p : chain * list chain) (r : so_far) :
+  all <> Points ->
   start_ = Opening all Rings \/ start_ = Contents all /\ all = Rings -> is_printable_polygon p ->
   fold_left take_byte (printed_polygon p) (taken_to line start_ r) =
     taken_to line (after_list all Rings) (SoFar (rev (chains_in p) ++ chains r) [] true (is_unbounded r)).
@@ -223,10 +241,13 @@ Lemma lists_of_polygons_are_taken (line : Z) (polygons : list (chain * list chai
     (taken_to line (Opening Polygons Rings) r) =
     taken_to line Complete (SoFar (rev (flat_map chains_in (p :: polygons)) ++ chains r) [] true (is_unbounded r)).
 Proof.
-  induction polygons as [| q polygons IH]; intros p r printable; inversion_clear printable as [| ? ? printable_p others];
-    rewrite fold_left_app, (polygons_are_taken line Polygons (Opening Polygons Rings) p r) by (trivial; now left || easy);
+  induction polygons as [| q polygons IH]; intros p r printable;
+    inversion_clear printable as [| ? ? printable_p others];
+    rewrite fold_left_app, (polygons_are_taken line Polygons (Opening Polygons Rings) p r)
+      by (trivial; now left || easy);
     cbn [after_list].
-  - cbn [map after_commas app fold_left flat_map]. rewrite symbols_are_taken by reflexivity. rewrite app_nil_r. reflexivity.
+  - cbn [map after_commas app fold_left flat_map]. rewrite symbols_are_taken by reflexivity. rewrite app_nil_r.
+    reflexivity.
   - cbn [map after_commas app fold_left]. rewrite symbols_are_taken by reflexivity.
     match goal with |- context [go_on ?s [comma_sign]] =>
       change (go_on s [comma_sign]) with (taken_to line (Opening Polygons Rings) (result s)) end.
@@ -241,19 +262,22 @@ Theorem printed_regions_are_read (may_be_unbounded : bool) (polygons : list (cha
   region_in may_be_unbounded (printed_polygons polygons) = inl (false, flat_map chains_in polygons).
 Proof.
   intros printable. unfold region_in, printed_polygons. rewrite fold_left_app.
-  assert (complete : forall cs, at_end (take_byte (taken_to 1 Complete (SoFar cs [] true false)) new_line) = inl (false, rev cs))
+  assert (complete : forall cs, at_end (take_byte (taken_to 1 Complete (SoFar cs [] true false)) new_line) =
+    inl (false, rev cs))
     by (intros cs; now rewrite <- reversed_as_rev).
   destruct polygons as [| p [| q polygons]].
   - now destruct may_be_unbounded.
   - inversion_clear printable as [| ? ? printable_p _]. rewrite fold_left_app.
     replace (fold_left take_byte (bytes "POLYGON ") (start may_be_unbounded))
       with (taken_to 1 (Contents Rings) (SoFar [] [] false false)) by (now destruct may_be_unbounded).
-    rewrite (polygons_are_taken 1 Rings) by (trivial; now right || easy). cbn [after_list chains is_unbounded fold_left]. rewrite complete.
+    rewrite (polygons_are_taken 1 Rings) by (trivial; now right || easy).
+    cbn [after_list chains is_unbounded fold_left]. rewrite complete.
     cbn [flat_map]. now rewrite !app_nil_r, rev_involutive.
   - rewrite fold_left_app.
     replace (fold_left take_byte (bytes "MULTIPOLYGON ") (start may_be_unbounded))
       with (taken_to 1 (Contents Polygons) (SoFar [] [] false false)) by (now destruct may_be_unbounded).
     unfold printed_list. cbn [fold_left]. rewrite symbols_are_taken by reflexivity.
     change (go_on _ [opening_sign]) with (taken_to 1 (Opening Polygons Rings) (SoFar [] [] false false)).
-    rewrite lists_of_polygons_are_taken by trivial. cbn [chains is_unbounded]. rewrite complete, app_nil_r. now rewrite rev_involutive.
+    rewrite lists_of_polygons_are_taken by trivial. cbn [chains is_unbounded]. rewrite complete, app_nil_r.
+    now rewrite rev_involutive.
 Qed.

@@ -1,7 +1,7 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Regions as the programs read them, from bytes: WKT, POLYGON, MULTIPOLYGON and EMPTY, and .dat (docs/files.md). The reader
-   goes from reading to reading, byte by byte, so a program need not hold a text as a whole, and can end at the first error.
-   That it reads what is printed as what it was is proved in printed_regions_are_read.v. *)
+(* Regions as the programs read them, from bytes: WKT, POLYGON, MULTIPOLYGON and EMPTY, and .dat (docs/files.md). The
+   reader goes from state to state, byte by byte, so a program need not hold a text as a whole, and can end at the
+   first error. That it reads what is printed as what it was is proved in printed_regions_are_read.v. *)
 From Coq Require Import QArith ZArith Bool List String Ascii.
 From Oplus Require Import specification.
 Import ListNotations.
@@ -149,8 +149,8 @@ Definition lower_edge (v : point) (best : option (point * bool)) (e : point * bo
     match (turn v a (fst e) ?= 0)%Q with Eq => None | Lt => Some e | Gt => Some (a, leaves) end
   end.
 
-(* Whether a chain, which may touch itself but not cross, is counterclockwise. Beyond the first edge counterclockwise at its
-   leftmost vertex, the lowest of these, is the outside: is it an edge that leaves, or arrives? *)
+(* Whether a chain, which may touch itself but not cross, is counterclockwise. Beyond the first edge counterclockwise
+   at its leftmost vertex, the lowest of these, is the outside: is it an edge that leaves, or arrives? *)
 Definition runs_counterclockwise (c : chain) : option bool :=
   match c with
   | [] => None
@@ -172,7 +172,8 @@ Definition runs_counterclockwise (c : chain) : option bool :=
 Definition oriented (counterclockwise : bool) (c : chain) : option chain :=
   match runs_counterclockwise c with
   | None => None
-  | Some is_so => Some (if Bool.eqb is_so counterclockwise then c else match c with [] => [] | v :: rest => v :: rev' rest end)
+  | Some is_so =>
+    if Bool.eqb is_so counterclockwise then Some c else Some (match c with [] => [] | v :: rest => v :: rev' rest end)
   end.
 
 (** Words to regions *)
@@ -197,7 +198,8 @@ Inductive stage :=
 (* What was read: chains, and the vertices of the next one, with the last ones first; and whether that one is a hole. *)
 Record so_far := SoFar { chains : polygonal_region; ring_so_far : chain; is_hole : bool; is_unbounded : bool }.
 
-Definition with_vertex (r : so_far) (x y : Q) : so_far := SoFar (chains r) (Point x y :: ring_so_far r) (is_hole r) (is_unbounded r).
+Definition with_vertex (r : so_far) (x y : Q) : so_far :=
+  SoFar (chains r) (Point x y :: ring_so_far r) (is_hole r) (is_unbounded r).
 
 Definition with_chain (r : so_far) (c : chain) : so_far + complaint :=
   match oriented (negb (is_hole r)) c with
@@ -206,7 +208,8 @@ Definition with_chain (r : so_far) (c : chain) : so_far + complaint :=
   end.
 
 Definition with_outer_chain_next (r : so_far) : so_far := SoFar (chains r) [] false (is_unbounded r).
-Definition with_holes_next (r : so_far) (unbounded : bool) : so_far := SoFar (chains r) [] true (unbounded || is_unbounded r).
+Definition with_holes_next (r : so_far) (unbounded : bool) : so_far :=
+  SoFar (chains r) [] true (unbounded || is_unbounded r).
 
 (* A ring has its first vertex again as its last one. *)
 Definition with_ring (r : so_far) : so_far + complaint :=
@@ -255,8 +258,10 @@ Definition with_number (r : so_far) (w : text) (f : Q -> (so_far * stage) + comp
 
 Definition take_component (is_first may_be_unbounded : bool) (r : so_far) (w : text) : (so_far * stage) + complaint :=
   if is_symbol digit_0 w then
-    if is_first || may_be_unbounded then inl (with_holes_next r false, Holes is_first true may_be_unbounded) else inr NoOuterChain
-  else with_count (with_outer_chain_next r) w (counted_chain (with_outer_chain_next r) (Holes is_first false may_be_unbounded)).
+    if is_first || may_be_unbounded then inl (with_holes_next r false, Holes is_first true may_be_unbounded)
+    else inr NoOuterChain
+  else
+    let r' := with_outer_chain_next r in with_count r' w (counted_chain r' (Holes is_first false may_be_unbounded)).
 
 (* Goes on with a word; the empty_word word is the end. *)
 Definition take_word (p : stage) (r : so_far) (w : text) : (so_far * stage) + complaint :=
@@ -287,7 +292,8 @@ Definition take_word (p : stage) (r : so_far) (w : text) : (so_far * stage) + co
   | Holes is_first is_unbounded_ may_be_unbounded =>
     if is_unbounded_ && negb may_be_unbounded then inr NoOuterChain
     else with_count r w (fun n => inl (with_holes_next r is_unbounded_,
-      if n =? 0 then OuterChain (may_be_unbounded && negb is_unbounded_) else Hole n (may_be_unbounded && negb is_unbounded_)))
+      let may_be_so := may_be_unbounded && negb is_unbounded_ in
+      if n =? 0 then OuterChain may_be_so else Hole n may_be_so))
   | Hole holes may_be_unbounded =>
     with_count r w (counted_chain r
       (if holes =? 1 then OuterChain may_be_unbounded else Hole (holes - 1) may_be_unbounded))
@@ -330,7 +336,8 @@ Definition next_line (s : reading) : reading + failure :=
 
 Definition take_byte (now : reading + failure) (b : Z) : reading + failure :=
   and_then now (fun s =>
-    if (b =? opening_sign) || (b =? closing_sign) || (b =? comma_sign) then and_then (end_word s) (fun s' => go_on s' [b])
+    if (b =? opening_sign) || (b =? closing_sign) || (b =? comma_sign)
+    then and_then (end_word s) (fun s' => go_on s' [b])
     else if (b =? blank_sign) || (b =? tab) || (b =? carriage_return) then end_word s
     else if b =? new_line then and_then (end_word s) next_line
     else if length_of_word s =? longest_word then inr (Failure (line_number s) (rev' (word s)) LongWord)

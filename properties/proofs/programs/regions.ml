@@ -15,7 +15,9 @@ let refuse name { Proved.in_line; at_word; what } =
     | NotContinued -> (word, "',' or ')'")
     | NoNumber -> (word, "an integer, a decimal or a fraction p/q")
     | NoDenominator -> (word, "a fraction p/q with q > 0")
-    | LargeExponent -> (word, Printf.sprintf "an exponent from -%s to %s" (Z.to_string Proved.largest_exponent) (Z.to_string Proved.largest_exponent))
+    | LargeExponent ->
+        let largest = Z.to_string Proved.largest_exponent in
+        (word, Printf.sprintf "an exponent from -%s to %s" largest largest)
     | NotEnded -> (word, "the end of the text")
     | NoCount -> (word, Printf.sprintf "a number from 0 to %d" Files.longest_text)
     | NotClosed -> ("a ring is not closed", "its first vertex again at its end")
@@ -34,7 +36,9 @@ let read_as may_be_unbounded file =
         | Inl reading as now -> (
             match next_block (Z.to_int reading.Proved.line_number) with
             | "" -> now
-            | block -> go_on (String.fold_left (fun now byte -> Proved.take_byte now (Z.of_int (Char.code byte))) now block))
+            | block ->
+                let take now byte = Proved.take_byte now (Z.of_int (Char.code byte)) in
+                go_on (String.fold_left take now block))
       in
       match Proved.at_end (go_on (Proved.start may_be_unbounded)) with
       | Inl region -> region

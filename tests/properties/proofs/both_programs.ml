@@ -35,7 +35,9 @@ let () =
   let each what fast slow read = expect what (fast p q = read (slow plain_p plain_q)) in
   let test what fast slow = List.iter (fun (r, plain) -> expect what (fast r = holds (slow plain))) [ (p, plain_p); (q, plain_q) ] in
   expect "reading" (p = read_plainly Sys.argv.(1) && q = read_plainly Sys.argv.(2));
-  each "printing" (fun p q -> Proved.(printed_polygons (proved_sum p q))) (fun p q -> Plain.(printed_polygons (proved_sum p q)))
+  each "printing"
+    (fun p q -> Proved.(printed_polygons (proved_sum p q)))
+    (fun p q -> Plain.(printed_polygons (proved_sum p q)))
     (list_of whole);
   test "valid" Proved.is_covered Plain.is_covered;
   test "points" Proved.has_points Plain.has_points;
