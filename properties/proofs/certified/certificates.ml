@@ -13,9 +13,6 @@ let lines text word line =
   let rec read done_ rest = if done_ = n then List.rev rest else read (done_ + 1) (line text :: rest) in
   read 0 []
 
-let homogeneous_point (x : Q.t) (y : Q.t) =
-  Proved.(homogeneous { x_of = { qnum = x.num; qden = x.den }; y_of = { qnum = y.num; qden = y.den } })
-
 (* The points that are put into the edges, by edges, and all vertices that pieces may have. *)
 let points text region =
   let vertices = Array.of_list (List.concat region) in
@@ -27,13 +24,13 @@ let points text region =
       refuse text ("there is no edge " ^ edge) (Printf.sprintf "one of %d edges" (Array.length vertices));
     let x = take_number text in
     let y = take_number text in
-    let point = homogeneous_point x y in
+    let point = Proved.homogeneous { x_of = x; y_of = y } in
     inserted.(number) <- point :: inserted.(number);
     end_line text;
     point
   in
   let added = lines text "points" line in
-  let given = Array.map (fun (x, y) -> homogeneous_point x y) vertices in
+  let given = Array.map Proved.homogeneous vertices in
   (Array.to_list (Array.map List.rev inserted), Array.append given (Array.of_list added))
 
 (* Vertices up to the end of the line. *)
@@ -84,9 +81,10 @@ let rec cells depth text =
       Proved.SumsOf (i, j)
   | "cut" when depth < deepest_tree ->
       let coefficient () =
-        if text.word = "-" || String.exists (fun c -> not (is_digit c || c = '-')) text.word then
-          refuse_word text "an integer";
-        (take_number text).num
+        let is_negative = String.starts_with ~prefix:"-" text.word in
+        let digits = if is_negative then String.sub text.word 1 (String.length text.word - 1) else text.word in
+        if not (is_natural digits) then refuse_word text "an integer";
+        Z.of_string (take text)
       in
       let la = coefficient () in
       let lb = coefficient () in
@@ -95,7 +93,7 @@ let rec cells depth text =
       let one = cells (depth + 1) text in
       let other = cells (depth + 1) text in
       Proved.Cut ({ la; lb; lc }, one, other)
-  | word -> refuse text (quoted word) (Printf.sprintf "'in', or 'cut' in a tree of depth at most %d" deepest_tree)
+  | word -> refuse text (Files.quoted word) (Printf.sprintf "'in', or 'cut' in a tree of depth at most %d" deepest_tree)
 
 let certificate p q s text =
   expect text "oplus";
@@ -120,4 +118,4 @@ let certificate p q s text =
   end_line text;
   { Proved.unit0 = unit_; of_p; of_q; sum_inserted; sum_pieces }
 
-let read name p q s = read_file name "\n" (certificate p q s)
+let read name p q s = read_file name (certificate p q s)

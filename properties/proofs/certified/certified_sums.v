@@ -4,7 +4,7 @@
    are the regions (pieces_cover.v). *)
 From Coq Require Import NArith QArith Bool List FMapPositive.
 From Oplus Require Import specification checker angular_crossings homogeneous_points specification_bridge fans
-  sums_of_pieces cells_are_sums pieces_cover connected_pieces sums_are_inside.
+  sums_of_pieces cells_are_sums pieces_cover connected_pieces sums_are_inside edges_touch_at_most.
 Import ListNotations.
 
 (* What `check` has looked at where it refuses nothing. *)
@@ -66,9 +66,26 @@ Proof.
   exact (sums_of_pieces_are_members p q s c accepted t u (as_vector a) (as_vector b) x T U a_in b_in x_is).
 Qed.
 
-(* If the checker accepts P, Q, S and a certificate, S is the Minkowski sum of P and Q. *)
+(* No edges cross or overlap. *)
+Lemma accepted_edges (p q s : polygonal_region) (c : certificate) : accepts p q s c = true ->
+  edges_touch_at_most p /\ edges_touch_at_most q /\ edges_touch_at_most s.
+Proof.
+  unfold accepts, check. cbv zeta. intros accepted.
+  do 6 match type of accepted with
+  | (match (if negb ?test then _ else _) with _ => _ end) = true =>
+    destruct test; cbn [negb] in accepted; [| discriminate]
+  end.
+  do 2 (destruct (first_failure _ _ _); [discriminate |]).
+  destruct (touch_at_most _ (hedges_of_region p)) eqn:p_touch; [| discriminate].
+  destruct (touch_at_most _ (hedges_of_region q)) eqn:q_touch; [| discriminate].
+  destruct (touch_at_most _ (hedges_of_region s)) eqn:s_touch; [| discriminate].
+  repeat split; now apply (found_edges_touch_at_most (unit c)).
+Qed.
+
+(* If the checker accepts P, Q, S and a certificate, S is the Minkowski sum of P and Q, and their edges touch at most. *)
 Theorem accepted_sums_are_sums : accepts_only_sums accepts.
 Proof.
-  intros p q s c accepted x. split; [now apply (members_are_sums p q s c) |].
+  intros p q s c accepted. split; [| now apply (accepted_edges p q s c)].
+  intros x. split; [now apply (members_are_sums p q s c) |].
   intros (a & b & in_p & in_q & x_is). now apply (sums_are_members p q s c accepted x a b).
 Qed.

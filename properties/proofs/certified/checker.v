@@ -270,6 +270,94 @@ Section Unit.
       end.
 End Unit.
 
+(** Edges touch at most *)
+
+(* The line has all of e on its right or on it, all of f on its left or on it, and some end off it. *)
+Definition separates (l : line) (e f : hedge) : bool :=
+  let a := value l (fst e) in
+  let b := value l (snd e) in
+  let c := value l (fst f) in
+  let d := value l (snd f) in
+  (a <=? 0) && (b <=? 0) && (0 <=? c) && (0 <=? d) && negb ((a =? 0) && (b =? 0) && (c =? 0) && (d =? 0)).
+
+(* All of f is on one side of the line along e, and not all on it. *)
+Definition is_on_one_side (e f : hedge) : bool :=
+  let l := line_through (fst e) (snd e) in
+  let c := value l (fst f) in
+  let d := value l (snd f) in
+  ((0 <=? c) && (0 <=? d) || (c <=? 0) && (d <=? 0)) && negb ((c =? 0) && (d =? 0)).
+
+(* The line across the edge's end, with the edge on its right. *)
+Definition line_across (e : hedge) : line :=
+  let (a, b) := e in
+  let x := px b * Zpos (pw a) - px a * Zpos (pw b) in
+  let y := py b * Zpos (pw a) - py a * Zpos (pw b) in
+  Line (x * Zpos (pw b)) (y * Zpos (pw b)) (- (x * px b + y * py b)).
+
+Definition do_touch_at_most (e f : hedge) : bool :=
+  is_on_one_side e f || is_on_one_side f e || separates (line_across e) e f || separates (line_across (snd e, fst e)) e f.
+
+Definition are_disjoint (b c : bounding_box) : bool :=
+  (x_high b <? x_low c) || (x_high c <? x_low b) || (y_high b <? y_low c) || (y_high c <? y_low b).
+
+(* A piece of two corners, to be put into a tree. *)
+Definition piece_of_edge (e : hedge) : piece := Piece [fst e; snd e] [].
+
+(* Halved by places, along the longer side of the box of their (doubled) centres; a few as they come. *)
+Definition centre_of (t : tree) : bounding_box :=
+  let b := box_of t in
+  let x := x_low b + x_high b in
+  let y := y_low b + y_high b in
+  Box x x y y.
+
+Fixpoint trees_by_place (levels : nat) (l : list tree) : list tree :=
+  match levels, l with
+  | S fewer, first :: _ :: _ :: _ :: _ :: _ =>
+    let c := fold_left (fun b t => box_of_both b (centre_of t)) l (centre_of first) in
+    let x := x_low c + x_high c in
+    let y := y_low c + y_high c in
+    let is_before :=
+      if y_high c - y_low c <=? x_high c - x_low c
+      then fun t => let b := box_of t in 2 * (x_low b + x_high b) <? x
+      else fun t => let b := box_of t in 2 * (y_low b + y_high b) <? y in
+    match partition is_before l with
+    | ([], _) => tree_of (length l) l
+    | (one, other) => tree_of 1 (trees_by_place fewer one ++ trees_by_place fewer other)
+    end
+  | _, _ => tree_of (length l) l
+  end.
+
+(* Of one tree and another. *)
+Fixpoint touch_each_other (t : tree) : tree -> bool :=
+  fix for_this (u : tree) : bool :=
+    are_disjoint (box_of t) (box_of u) ||
+    match t, u with
+    | Leaf _ e, Leaf _ f =>
+      match corners_of e, corners_of f with
+      | [a; b], [c; d] => do_touch_at_most (a, b) (c, d)
+      | _, _ => false
+      end
+    | Leaf _ _, Node _ u1 u2 => for_this u1 && for_this u2
+    | Node _ t1 t2, Leaf _ _ => touch_each_other t1 u && touch_each_other t2 u
+    | Node b t1 t2, Node c u1 u2 =>
+      if is_larger b c then touch_each_other t1 u && touch_each_other t2 u else for_this u1 && for_this u2
+    end.
+
+(* Of one tree. *)
+Fixpoint touch_in_tree (t : tree) : bool :=
+  match t with
+  | Leaf _ _ => true
+  | Node _ one other => touch_in_tree one && touch_in_tree other && touch_each_other one other
+  end.
+
+(* No edge crosses or overlaps another one. *)
+Definition touch_at_most (D : positive) (es : list hedge) : bool :=
+  match trees_by_place 64 (flat_map (leaf_of D) (map piece_of_edge es)) with
+  | [] => true
+  | [t] => touch_in_tree t
+  | _ => false
+  end.
+
 (** Pieces are connected *)
 
 Definition numbered := PositiveMap.t piece.
@@ -436,7 +524,8 @@ Inductive refusal :=
 | LinksOfP | LinksOfQ (* do not reach all pieces *)
 | RootOutside (* a sum of two inner points of pieces is not in s *)
 | EdgeInside (n : N) (* edge number n of s is not beside the sum of two pieces *)
-| CellOutside (n : N). (* piece number n of s is not made of sums *)
+| CellOutside (n : N) (* piece number n of s is not made of sums *)
+| EdgesOfP | EdgesOfQ | EdgesOfS. (* cross or overlap *)
 
 (* The number of the first that fails. *)
 Fixpoint first_failure {A} (test : A -> bool) (n : N) (l : list A) : option N :=
@@ -448,12 +537,14 @@ Fixpoint first_failure {A} (test : A -> bool) (n : N) (l : list A) : option N :=
 Definition check (p q s : polygonal_region) (c : certificate) : option refusal :=
   let p_pieces := map piece_of (summand_pieces (of_p c)) in
   let q_pieces := map piece_of (summand_pieces (of_q c)) in
+  let p_edges := hedges_of_region p in
+  let q_edges := hedges_of_region q in
   let s_edges := hedges_of_region s in
   let s_pieces := map (fun d => piece_of (fst d)) (sum_pieces c) in
   let p_numbered := numbers_from 1 p_pieces in
   let q_numbered := numbers_from 1 q_pieces in
-  if negb (are_a_region (hedges_of_region p) (summand_inserted (of_p c)) p_pieces) then Some PiecesOfP
-  else if negb (are_a_region (hedges_of_region q) (summand_inserted (of_q c)) q_pieces) then Some PiecesOfQ
+  if negb (are_a_region p_edges (summand_inserted (of_p c)) p_pieces) then Some PiecesOfP
+  else if negb (are_a_region q_edges (summand_inserted (of_q c)) q_pieces) then Some PiecesOfQ
   else if negb (are_a_region s_edges (sum_inserted c) s_pieces) then Some PiecesOfS
   else if negb (are_all_reached p_numbered (all_reached p_numbered (roots (of_p c)) (links (of_p c)))) then Some LinksOfP
   else if negb (are_all_reached q_numbered (all_reached q_numbered (roots (of_q c)) (links (of_q c)))) then Some LinksOfQ
@@ -472,7 +563,11 @@ Definition check (p q s : polygonal_region) (c : certificate) : option refusal :
     | None =>
       match first_failure (fun s => are_sums p_numbered q_numbered (fst s) (snd s)) 0 (sum_pieces c) with
       | Some n => Some (CellOutside n)
-      | None => None
+      | None =>
+        if negb (touch_at_most D p_edges) then Some EdgesOfP
+        else if negb (touch_at_most D q_edges) then Some EdgesOfQ
+        else if negb (touch_at_most D s_edges) then Some EdgesOfS
+        else None
       end
     end.
 

@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* The checker as OCaml. *)
-From Oplus Require Import zarith checker.
+(* The checker and the reader as OCaml. *)
+From Oplus Require Import zarith checker region_reader.
 
-Extraction "proved.ml" check accepts homogeneous.
+Extraction "proved.ml" check accepts homogeneous start take_byte at_end number_in.

@@ -1,7 +1,9 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* What the checker answers, as an exit code and a line. *)
 
-let described (x, y) = Printf.sprintf "(%s, %s)" (Q.to_string x) (Q.to_string y)
+let described { Proved.x_of; y_of } =
+  let number { Proved.qnum; qden } = Q.to_string (Q.make qnum qden) in
+  Printf.sprintf "(%s, %s)" (number x_of) (number y_of)
 
 (* The ends of an edge, numbered by its source. *)
 let rec ends number = function
@@ -11,8 +13,8 @@ let rec ends number = function
       if number < n then (List.nth chain number, List.nth chain ((number + 1) mod n)) else ends (number - n) rest
 
 let corners (polygon : Proved.polygon) =
-  let coordinate x w = Q.make x w in
-  String.concat " " (List.map (fun { Proved.px; py; pw } -> described (coordinate px pw, coordinate py pw)) polygon)
+  let corner { Proved.px; py; pw } = described { x_of = { qnum = px; qden = pw }; y_of = { qnum = py; qden = pw } } in
+  String.concat " " (List.map corner polygon)
 
 let why s (certificate : Proved.certificate) = function
   | Proved.PiecesOfP -> "the pieces of P are not convex, or are not P"
@@ -29,8 +31,11 @@ let why s (certificate : Proved.certificate) = function
   | CellOutside n ->
       Printf.sprintf "piece %s of S, %s, is not shown to consist of sums" (Z.to_string n)
         (corners (fst (List.nth certificate.sum_pieces (Z.to_int n))))
+  | EdgesOfP -> "edges of P cross or overlap"
+  | EdgesOfQ -> "edges of Q cross or overlap"
+  | EdgesOfS -> "edges of S cross or overlap"
 
 let of_certificate p q s certificate =
-  match Proved.check (Regions.specified p) (Regions.specified q) (Regions.specified s) certificate with
+  match Proved.check p q s certificate with
   | None -> (0, "certified")
   | Some refusal -> (1, "not certified: " ^ why s certificate refusal)

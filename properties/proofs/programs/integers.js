@@ -69,6 +69,9 @@ function ml_z_div_rem(a, b) {
   b = BigInt(b);
   return [0, ml_z_of_big(a / b), ml_z_of_big(a % b)];
 }
+//Provides: ml_z_rem
+//Requires: ml_z_div_rem
+function ml_z_rem(a, b) { return ml_z_div_rem(a, b)[2]; }
 //Provides: ml_z_fdiv
 //Requires: ml_z_div_rem, ml_z_sub
 function ml_z_fdiv(a, b) {

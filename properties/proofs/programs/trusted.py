@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Writes what a user of an extracted program has to believe, as OCaml: extraction's settings as they stand in the sources,
 and the numbers of lines of the sources that are not proved.
-Usage: trusted.py FILE PROOFS COQ SOURCES..., COQ what `coqc -where` prints, SOURCES those in OCaml"""
+Usage: trusted.py FILE PROOFS COQ SOURCES..., COQ what `coqc -where` prints, SOURCES those in OCaml and C"""
 
 import re
 import sys
@@ -10,7 +10,7 @@ from pathlib import Path
 
 SETTING = re.compile(r"^Extract (.*?)\.$", re.MULTILINE | re.DOTALL)
 REQUIRED = re.compile(r"Require (?:Import |Export )?([^.]*)\.")
-COMMENT = re.compile(r"\(\*.*?\*\)", re.DOTALL)
+COMMENT = re.compile(r"\(\*.*?\*\)|/\*.*?\*/", re.DOTALL)
 
 
 def without_comments(path):
@@ -20,7 +20,7 @@ def without_comments(path):
 def described(path):
     """How many lines of code there are, and what the source says that it is, in its second comment's first sentence."""
     count = sum(bool(line.strip()) for line in without_comments(path).splitlines())
-    about = re.sub(r"\s+", " ", COMMENT.findall(path.read_text(encoding="utf-8"))[1].strip("(* )"))
+    about = re.sub(r"\s+", " ", COMMENT.findall(path.read_text(encoding="utf-8"))[1].strip("(*/ )"))
     return f"  {count:4}  {path.name}: {re.split(r'[.:] ', about + ' ')[0]}\n"
 
 

@@ -13,7 +13,7 @@ let run answer =
   Worker.set_onmessage (fun texts ->
       let code, text =
         try answer (Array.map Js.to_string (Js.to_array texts)) with
-        | Words.Invalid message -> (2, message)
+        | Files.Invalid message -> (2, message)
         | Stack_overflow -> (2, "P and Q are too large for this browser's stack")
       in
       Worker.post_message Js.Unsafe.(obj [| ("code", inject code); ("text", inject (Js.string text)) |]))

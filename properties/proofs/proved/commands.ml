@@ -1,10 +1,9 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* The commands: of each the proved function, from valid regions, of most commands two, to a text. *)
 
-let refuse message = raise (Words.Invalid message)
+let refuse message = raise (Files.Invalid message)
 
-let valid_by test name read =
-  let region = Regions.specified read in
+let valid_by test name region =
   if test region then region
   else
     refuse

@@ -14,6 +14,11 @@ let write_and_close name channel text =
 let is_replaced path =
   match Unix.stat path with { st_kind; _ } -> st_kind = S_REG | exception Unix.Unix_error (ENOENT, _, _) -> true
 
+(* As if it were not handled. *)
+let end_by signal =
+  Sys.set_signal signal Signal_default;
+  Unix.kill (Unix.getpid ()) signal
+
 let to_replace name =
   let target = try Unix.realpath name with Unix.Unix_error _ -> name in
   let beside = Printf.sprintf "%s.%d.tmp" target (Unix.getpid ()) in
@@ -21,8 +26,8 @@ let to_replace name =
   let is_there = ref true in
   let remove () = if !is_there then Unix.unlink beside in
   at_exit remove;
-  let ended signal = remove (); is_there := false; Program.end_by signal in
-  List.iter (fun signal -> Sys.set_signal signal (Signal_handle ended)) Program.signals;
+  let ended signal = remove (); is_there := false; end_by signal in
+  List.iter (fun signal -> Sys.set_signal signal (Signal_handle ended)) Sys.[ sigint; sigterm; sighup ];
   fun text ->
     write_and_close name (Unix.out_channel_of_descr file) text;
     written name (fun () ->

@@ -144,6 +144,16 @@ Definition is_closing (p q s : polygonal_region) : Prop :=
   forall x, member x s <-> closure (interior (is_moved_into q (fun y =>
     exists a b, member a p /\ member b q /\ equal_points y (sum_of_points a b)))) x.
 
-(* A checker is right if it accepts nothing but Minkowski sums, whatever it is given as a certificate. *)
+(* On the edge, and none of its ends. *)
+Definition is_within (x : point) (e : edge) : Prop :=
+  is_on x e /\ ~ equal_points x (fst e) /\ ~ equal_points x (snd e).
+
+(* No two edges cross or overlap: where they have a point in common, it is an end of one of them. *)
+Definition edges_touch_at_most (r : polygonal_region) : Prop :=
+  ForallOrdPairs (fun e f => forall x, ~ (is_within x e /\ is_within x f)) (edges_of_region r).
+
+(* A checker is right if it accepts nothing but Minkowski sums whose edges touch at most, as those of the summands do,
+   whatever it is given as a certificate. *)
 Definition accepts_only_sums {certificate : Type} (accepts : polygonal_region -> polygonal_region -> polygonal_region -> certificate -> bool) : Prop :=
-  forall p q s c, accepts p q s c = true -> is_minkowski_sum p q s.
+  forall p q s c, accepts p q s c = true ->
+    is_minkowski_sum p q s /\ edges_touch_at_most p /\ edges_touch_at_most q /\ edges_touch_at_most s.

@@ -16,13 +16,29 @@ let plain_open_set (s : Plain.open_region) =
 let plain_fits (f : Plain.placements) =
   (polygons (Plain.polygons_of_placements f), list_of edge f.fit_edges, list_of point_of f.fit_points)
 
+let bytes file =
+  let channel = open_in_bin file in
+  let text = really_input_string channel (in_channel_length channel) in
+  close_in channel;
+  List.map (fun c -> Z.of_int (Char.code c)) (List.of_seq (String.to_seq text))
+
+let read_plainly file =
+  match Plain.region_in Plain.False (coq_list integer (bytes file)) with
+  | Inl (Pair (False, region)) -> list_of (list_of point_of) region
+  | _ -> failwith (file ^ " is not read")
+
 let () =
-  let p = Regions.specified (Regions.read Sys.argv.(1)) and q = Regions.specified (Regions.read Sys.argv.(2)) in
+  let p = Regions.read Sys.argv.(1) and q = Regions.read Sys.argv.(2) in
   let plain_p = region p and plain_q = region q in
   let expect what same = if not same then failwith ("the programs disagree: " ^ what) in
   let holds = function Plain.True -> true | Plain.False -> false in
   let each what fast slow read = expect what (fast p q = read (slow plain_p plain_q)) in
   let test what fast slow = List.iter (fun (r, plain) -> expect what (fast r = holds (slow plain))) [ (p, plain_p); (q, plain_q) ] in
+  expect "reading" (p = read_plainly Sys.argv.(1) && q = read_plainly Sys.argv.(2));
+  each "printing"
+    (fun p q -> Proved.(printed_polygons (proved_sum p q)))
+    (fun p q -> Plain.(printed_polygons (proved_sum p q)))
+    (list_of whole);
   test "valid" Proved.is_covered Plain.is_covered;
   test "points" Proved.has_points Plain.has_points;
   each "sum" Proved.proved_sum Plain.proved_sum polygons;

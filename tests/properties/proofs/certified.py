@@ -83,6 +83,38 @@ WRONG_SUMS = {
                              certificate(NOTHING + "links 0\n", ONE, convex() + "in 0 0\n"), "piece 0 of S"),
 }
 
+# Right as sets of points, but edges of one region cross or overlap.
+HOLE = "(2 2,2 3,3 3,3 2,2 2)"
+RING_LINKS = RING + "links 3\n0 1\n1 2\n2 3\n"
+TWO_CELLS = "points 0\npieces 2\n0 1 2 3\nin 0 0\n4 5 6 7\nin 0 0\n"
+TWICE = f"MULTIPOLYGON(({square(0, 0, 1)}),({square(0, 0, 1)}))"
+OVERLAPS = {
+    "a hole twice, and a chain that fills it": (
+        AROUND, UNIT, f"MULTIPOLYGON(({square(0, 0, 5)},{HOLE},{HOLE}),({square(2, 2, 1)}))",
+        certificate(RING_LINKS, ONE, RING_SUM), "edges of S"),
+    "the same, with a vertex more": (
+        AROUND, UNIT, f"MULTIPOLYGON(({square(0, 0, 5)},{HOLE},(2 2,2 2.5,2 3,3 3,3 2,2 2)),({square(2, 2, 1)}))",
+        certificate(RING_LINKS, ONE, RING_SUM.replace("points 0", "points 2\n4 2 5/2\n16 2 5/2").replace("4 5\n", "4 17 5\n")),
+        "edges of S"),
+    "a component of S twice": (UNIT, UNIT, f"MULTIPOLYGON(({square(0, 0, 2)}),({square(0, 0, 2)}))",
+                               certificate(ONE, ONE, TWO_CELLS), "edges of S"),
+    "a component of P twice": (TWICE, UNIT, f"POLYGON({square(0, 0, 2)})",
+                               certificate(TWO_PIECES + "links 0\n", ONE, convex() + "in 0 0\n"), "edges of P"),
+    "a component of Q twice": (UNIT, TWICE, f"POLYGON({square(0, 0, 2)})",
+                               certificate(ONE, TWO_PIECES + "links 0\n", convex() + "in 0 0\n"), "edges of Q"),
+    "components that cross": (UNIT, f"MULTIPOLYGON(({square(0, 0, 2)}),({square(1, 1, 2)}))",
+                              "POLYGON((0 0,3 0,3 1,4 1,4 4,1 4,1 3,0 3,0 0))",
+                              certificate(ONE, TWO_PIECES + "links 0\n",
+                                          "points 0\npieces 2\n0 1 2 6 7\nin 0 0\n2 3 4 5 6\nin 0 1\n"), "edges of Q"),
+    "components with a common wall": (
+        f"MULTIPOLYGON(({square(0, 0, 1)}),({square(2, 0, 1)}))", UNIT,
+        f"MULTIPOLYGON(({square(0, 0, 2)}),((2 0,4 0,4 2,2 2,2 1,2 0)))",
+        certificate(TWO_PIECES + "links 0\n", ONE, "points 0\npieces 2\n0 1 2 3\nin 0 0\n5 6 7 8 4\nin 1 0\n"), "edges of S"),
+    "a slit": (f"MULTIPOLYGON(({square(0, 0, 1)}),({square(2, 0, 1)}))", UNIT, "POLYGON((0 0,4 0,4 2,2 2,2 1,2 2,0 2,0 0))",
+               certificate(TWO_PIECES + "links 0\n", ONE,
+                           "points 1\n0 2 0\npieces 2\n0 7 4 5 6\nin 0 0\n1 2 3 4 7\nin 1 0\n"), "edges of S"),
+}
+
 # What is changed, in which example, what stands there, what stands there instead, the exit code and what is said.
 DAMAGES = [
     ("another summand", "hole", "in 1 0", "in 3 0", NOT_CERTIFIED, "piece 1 of S"),
@@ -167,7 +199,7 @@ ENDLESS = ["yes", "yes '('", "cat /dev/zero", "echo 'oplus certificate 1'; yes u
 class Test(ProgramTest):
     def __init__(self, program, build, folder):
         super().__init__(program, folder)
-        self.both = beside_plain("both_checkers", build, folder, "certificates.ml")
+        self.both = beside_plain("both_checkers", build, folder, "words.ml", "certificates.ml")
 
     def run_on(self, texts, *options):
         """What the program answers. Fails unless both checkers do so."""
@@ -193,6 +225,8 @@ class Test(ProgramTest):
             self.answer("examples in .dat", name, [*map(dat, regions), text], CERTIFIED, "certified")
         for name, (*texts, wanted) in WRONG_SUMS.items():
             self.answer("wrong sums", name, texts, NOT_CERTIFIED, wanted)
+        for name, (*texts, wanted) in OVERLAPS.items():
+            self.answer("edges that cross or overlap", name, texts, NOT_CERTIFIED, wanted + " cross or overlap")
         for name, example, right, wrong, code, wanted in DAMAGES:
             *regions, text = EXAMPLES[example]
             count = 1 if right is None else text.count(right)
@@ -275,6 +309,17 @@ class Test(ProgramTest):
                 self.expect("texts without an end", f"{command}, file {place}", code == INVALID and "expected" in said,
                             f"exit code {code}: {said}")
 
+    def deep(self):
+        """A tree as deep as allowed, which is more than an ordinary stack holds, let alone a small one."""
+        p, q, s, given = EXAMPLES["squares"]
+        cuts = given.replace("in 0 0\n", 100000 * "cut 1 0 5\n" + 100001 * "in 0 0\n")
+        files = [self.folder / f"deep.{name}" for name in ("p", "q", "s", "certificate")]
+        for file, text in zip(files, (p, q, s, cuts)):
+            file.write_text(text, encoding="utf-8")
+        for limit in ("", "ulimit -s 1024; "):
+            code, said = run(["bash", "-c", f"{limit}{self.program} {' '.join(map(str, files))}"])
+            self.expect("deep trees", limit, code == NOT_CERTIFIED and "piece 0 of S" in said, f"exit code {code}: {said}")
+
     def little_memory(self, oplus):
         """With less and less of it; without a limit the sum is certified."""
         p, q, s, made = files = [self.folder / f"large.{name}" for name in ("p", "q", "s", "certificate")]
@@ -303,7 +348,7 @@ def main():
     with tempfile.TemporaryDirectory() as directory:
         test = Test(program, build, Path(directory))
         for part in (test.examples, test.each_cut_short, test.each_number_changed, test.numbers, test.chains,
-                     test.endless, test.usage):
+                     test.endless, test.deep, test.usage):
             part()
         test.outputs(dict(zip("pqsc", EXAMPLES["squares"])), "p q s c", "--echo p q s c")
         test.families(oplus)

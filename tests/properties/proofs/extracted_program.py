@@ -101,7 +101,7 @@ def beside_plain(name, build, folder, *in_ocaml):
         shutil.copyfile(HERE / source, folder / source)
     if replaced((folder / "plain_extraction.v").read_text(encoding="utf-8")):
         sys.exit("plain_extraction.v replaces what was proved")
-    read = ["proved.mli", "proved.ml", "words.ml", "regions.ml", *in_ocaml]
+    read = ["proved.mli", "proved.ml", "files.ml", "regions.ml", *in_ocaml]
     for source in read:
         shutil.copyfile(build / source, folder / source)
     for command in (["coqc", "-vok", "-R", build.resolve().parent / "coq", "Oplus", "plain_extraction.v"],

@@ -36,7 +36,7 @@ let () =
             ([ string_of_int (Z.compare a b); string_of_bool (Z.equal a b); string_of_bool (a = b); exact;
                (* An integer has one representation, whatever made it. *)
                string_of_bool (Z.add a b = Z.of_string (Z.to_string (Z.add a b))) ]
-             @ List.map (fun f -> integer (fun () -> f a b)) Z.[ add; sub; mul; gcd; fdiv; cdiv; ediv ]
+             @ List.map (fun f -> integer (fun () -> f a b)) Z.[ add; sub; mul; gcd; fdiv; cdiv; ediv; rem ]
              @ List.map (fun f -> both (fun () -> f a b)) Z.[ div_rem; ediv_rem ]))
         numbers)
     numbers;
