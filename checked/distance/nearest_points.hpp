@@ -16,7 +16,7 @@ struct NearestPoints {
 struct Overlap {
   Vector move;             ///< of Q; no shorter one ends the overlap
   Rational squared_depth;  ///< the square of its length
-  Point contact;           ///< a point that P and Q + move have in common; their interiors have none
+  Point contact;  ///< a point that P and Q + move have in common; their interiors have none
 };
 
 }  // namespace oplus
