@@ -10,6 +10,7 @@
 #include "reference/chains/region_of.hpp"
 #include "reference/definitions/difference.hpp"
 #include "reference/families/family.hpp"
+#include "reference/io/writing.hpp"
 #include "tests/reference/definitions/print.hpp"
 #include "tests/reference/definitions/shapes.hpp"
 
