@@ -36,7 +36,7 @@ struct Placements::State {
   ValidRegion p, q;
   ValidSet no_fit;
   PointLocation location{no_fit.value()};
-  WaysOut ways_out{p.region(), q.region(), no_fit.value()};
+  WaysOut ways_out{edges(p.region()), edges(q.region()), no_fit.value()};
 };
 
 Placements::Placements(const ValidRegion& p, const ValidRegion& q, const SumOptions& options) {

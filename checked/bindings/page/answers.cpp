@@ -342,7 +342,7 @@ void put_placement(Answer& answer, const Region& p, const Region& q, const Point
                    const ConvolutionCycles& traced) {
   const std::vector<Segment> convolution = segments(full_convolution(traced));
   const Location location = locate(x, region_of(sum));
-  const Overlap nearest = WaysOut(p, reflected(q), open_sum).from(x);
+  const Overlap nearest = WaysOut(edges(p), edges(reflected(q)), open_sum).from(x);
   answer.key("placement");
   answer.object([&] {
     answer.member("q", chains(translated(reflected(q), x)));
