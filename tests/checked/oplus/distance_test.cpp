@@ -11,7 +11,7 @@ const ValidRegion frame =
             {{{2, 2}, {2, 4}, {4, 4}, {4, 2}}, {{5, 5}, {5, 8}, {8, 8}, {8, 5}}});
 const ValidRegion square = polygon({{0, 0}, {2, 0}, {2, 2}, {0, 2}});
 
-ValidRegion moved(const ValidRegion& region, const Point& by) {
+ValidRegion moved(const ValidRegion& region, const Coordinates& by) {
   return transformed(region, translation(by));
 }
 
@@ -33,7 +33,7 @@ TEST(Placements, answer_as_the_functions_do_at_each_place) {
       const Location location = placements.locate(x);
       EXPECT_EQ(way_out.has_value(), location == Location::inside) << i << ' ' << j;
       EXPECT_EQ(from_place.has_value(), way_out.has_value()) << i << ' ' << j;
-      if (way_out) EXPECT_EQ(from_place->squared_depth, way_out->squared_depth);
+      EXPECT_EQ(from_place ? from_place->squared_depth : -1, way_out ? way_out->squared_depth : -1);
       EXPECT_EQ(location == Location::outside, nearest.squared_distance > 0) << i << ' ' << j;
       ++counts[static_cast<int>(location)];
     }
