@@ -63,5 +63,17 @@ TEST(NearestSegments, are_those_that_a_look_at_all_pairs_finds) {
   EXPECT_GE(far, 200U);
 }
 
+/// Ends of others are nearer to each other than those of the two that cross.
+TEST(NearestSegments, may_cross_far_from_their_ends) {
+  const std::vector<Segment> p = {{{0, 30}, {1, 30}}, {{0, 0}, {20, 0}}};
+  const std::vector<Segment> q = {{{0, 31}, {1, 31}}, {{10, -10}, {10, 10}}};
+  for (const auto& [a, b] : {std::pair(p, q), {q, p}}) {
+    const auto [squared, on_a, on_b] = nearest_points(SegmentTree(a), SegmentTree(b));
+    EXPECT_EQ(squared, 0);
+    EXPECT_EQ(on_a, (Point{10, 0}));
+    EXPECT_EQ(on_b, on_a);
+  }
+}
+
 }  // namespace
 }  // namespace oplus
