@@ -30,7 +30,7 @@ struct Crossed {
 /// Of two segments that one ray crosses.
 bool is_left_of(const Crossed& a, const Crossed& b) {
   if (is_above(b.low, a.low)) return !is_left_of(b, a);
-  // They meet in ends at most.
+  // They touch at most, so that one of them is on one side of the other.
   const int side = orientation(b.low, b.high, a.low);
   return (side != 0 ? side : orientation(b.low, b.high, a.high)) > 0;
 }
@@ -129,6 +129,17 @@ Interval squared_distance(const IntervalPoint& x, const IntervalSegment& s) {
   const bool is_between = at.low >= 0 && at.high <= length.low;
   const double most = std::min(from_source.high, from_target.high);
   return {std::max(from_line.low, 0.0), is_between ? std::min(from_line.high, most) : most};
+}
+
+Interval squared_distance(const IntervalSegment& a, const IntervalSegment& b) {
+  Interval least{SegmentTree::nothing, SegmentTree::nothing};
+  for (const Interval& here : {squared_distance(a.source, b), squared_distance(a.target, b),
+                               squared_distance(b.source, a), squared_distance(b.target, a)}) {
+    least.low = std::min(least.low, here.low);
+    least.high = std::min(least.high, here.high);
+  }
+  if (!is_beside(a, b) && !is_beside(b, a)) least.low = 0;  // they may cross
+  return least;
 }
 
 Rational squared_distance(const Point& x, const SegmentTree& segments, const Rational& enough,

@@ -49,10 +49,32 @@ class SegmentTree {
   template <typename Visit>
   bool visit_meeting(const SegmentTree& moved, const Vector& by, const Visit& visit) const;
 
+  /// Calls `look(i, j)` for segment i of this tree and segment j of another wherever the squared distance of
+  /// their boxes is at most `limit`, near ones first as far as the trees know. `look` returns the limit from then
+  /// on.
+  template <typename Look>
+  void look_for_near(const SegmentTree& other, double limit, const Look& look) const;
+
   static constexpr double nothing = std::numeric_limits<double>::infinity();
 
  private:
   using Tree = BoxTree<4>;
+
+  /// A part of this tree and one of another.
+  struct Pair {
+    Tree::Range a, b;
+
+    bool are_leaves() const { return a.is_leaf() && b.is_leaf(); }
+    /// The larger one is halved. Requires: they are not both leaves.
+    std::pair<Pair, Pair> halves() const {
+      if (b.is_leaf() || (!a.is_leaf() && a.size() > b.size())) {
+        const auto [first, second] = a.halves();
+        return {{first, b}, {second, b}};
+      }
+      const auto [first, second] = b.halves();
+      return {{a, first}, {a, second}};
+    }
+  };
 
   std::vector<Segment> segments_;
   std::vector<IntervalSegment> certified_;
@@ -70,7 +92,7 @@ bool lies_on_one(const Point& p, const SegmentTree& segments);
 std::vector<Segment> cut_where_met(const Segment& segment, const SegmentTree& others);
 
 /// The segment that a ray to the right crosses first, from infinitely little above x: it passes no end.
-/// Requires: segments meet in ends at most.
+/// Requires: segments neither cross nor overlap.
 struct Crossing {
   std::size_t segment;
   bool runs_up;
@@ -84,6 +106,9 @@ Rational squared_distance(const Point& x, const SegmentTree& segments, const Rat
 
 /// Bounds of the squared distance of x from a segment.
 Interval squared_distance(const IntervalPoint& x, const IntervalSegment& s);
+
+/// Bounds of that of two segments.
+Interval squared_distance(const IntervalSegment& a, const IntervalSegment& b);
 
 template <typename Bound, typename Look>
 void SegmentTree::look_for(double limit, const Bound& bound, const Look& look) const {
@@ -115,29 +140,53 @@ bool SegmentTree::visit_meeting(const SegmentTree& moved, const Vector& by,
                                 const Visit& visit) const {
   if (empty() || moved.empty()) return false;
   const IntervalPoint way = interval(by);
-  std::array<std::pair<Tree::Range, Tree::Range>, 128> pending;  // each halves a box
+  std::array<Pair, 128> pending;  // each halves a box
   std::size_t size = 0;
   pending[size++] = {tree_.all(), moved.tree_.all()};
   while (size > 0) {
-    const auto [a, b] = pending[--size];
+    const Pair pair = pending[--size];
+    const auto& [a, b] = pair;
     if (!meet(tree_[a], translated(moved.tree_[b], way))) continue;
-    if (a.is_leaf() && b.is_leaf()) {
-      for (std::size_t j = b.begin; j < b.end; ++j) {
-        const Box box = translated(moved.boxes_[j], way);
-        for (std::size_t i = a.begin; i < a.end; ++i)
-          if (meet(boxes_[i], box) && visit(order_[i], moved.order_[j])) return true;
-      }
-    } else if (b.is_leaf() || (!a.is_leaf() && a.size() > b.size())) {
-      const auto [first, second] = a.halves();
-      pending[size++] = {first, b};
-      pending[size++] = {second, b};
-    } else {
-      const auto [first, second] = b.halves();
-      pending[size++] = {a, first};
-      pending[size++] = {a, second};
+    if (!pair.are_leaves()) {
+      const auto [first, second] = pair.halves();
+      pending[size++] = first;
+      pending[size++] = second;
+      continue;
+    }
+    for (std::size_t j = b.begin; j < b.end; ++j) {
+      const Box box = translated(moved.boxes_[j], way);
+      for (std::size_t i = a.begin; i < a.end; ++i)
+        if (meet(boxes_[i], box) && visit(order_[i], moved.order_[j])) return true;
     }
   }
   return false;
+}
+
+template <typename Look>
+void SegmentTree::look_for_near(const SegmentTree& other, double limit, const Look& look) const {
+  if (empty() || other.empty()) return;
+  std::array<std::pair<double, Pair>, 128> pending;  // as above
+  std::size_t size = 0;
+  const auto add = [&](const Pair& pair) {
+    pending[size++] = {squared_gap(tree_[pair.a], other.tree_[pair.b]), pair};
+  };
+  add({tree_.all(), other.tree_.all()});
+  while (size > 0) {
+    const auto [least, pair] = pending[--size];
+    if (least > limit) continue;
+    if (!pair.are_leaves()) {
+      const auto [first, second] = pair.halves();
+      add(second);
+      add(first);
+      if (pending[size - 2].first < pending[size - 1].first)
+        std::swap(pending[size - 2], pending[size - 1]);
+      continue;
+    }
+    for (std::size_t i = pair.a.begin; i < pair.a.end; ++i)
+      for (std::size_t j = pair.b.begin; j < pair.b.end; ++j)
+        if (squared_gap(boxes_[i], other.boxes_[j]) <= limit)
+          limit = look(order_[i], other.order_[j]);
+  }
 }
 
 }  // namespace oplus

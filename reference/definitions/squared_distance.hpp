@@ -19,4 +19,13 @@ inline Rational squared_distance(const Point& x, const Segment& s) {
   return across * across / length;
 }
 
+/// The point of a closed segment, which may be a point, that is nearest to x.
+inline Point nearest_point(const Point& x, const Segment& s) {
+  const Vector along = direction_of(s);
+  const Rational at = dot(along, x - s.source);
+  if (at <= 0) return s.source;
+  const Rational length = squared_length(along);
+  return at >= length ? s.target : s.source + at / length * along;
+}
+
 }  // namespace oplus
