@@ -67,9 +67,9 @@ Proof.
   - apply drawn_regions.
   - apply square_is_a_region.
   - now left.
-  - split; [apply on_edge_by_computation; vm_compute; reflexivity | split; intros [X _]; discriminate X].
+  - exists (1 # 6). vm_compute. repeat split; reflexivity.
   - now left.
-  - split; [apply on_edge_by_computation; vm_compute; reflexivity | split; intros [X _]; discriminate X].
+  - exists (1 # 2). vm_compute. repeat split; reflexivity.
   - change (plus (Vector 1 0) (Vector 1 0)) with (Vector 2 0). apply lower_side_of_the_sum. lra.
 Qed.
 
