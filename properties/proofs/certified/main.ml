@@ -5,7 +5,7 @@ let help =
   "Check a certificate that S is the Minkowski sum of P and Q\n\
    Usage: oplus-certified [OPTIONS] P Q S CERTIFICATE\n\n\
    The checker is proved in Coq: for what it certifies, a point is in S if and only if it is the sum of a\n\
-   point of P and a point of Q. docs/certificates.md says what is proved, and what is trusted.\n\n\
+   point of P and a point of Q. docs/certificates.md says what is proved, docs/believe.md what is trusted.\n\n\
    Arguments:\n\
   \  P Q S                     regions in WKT, POLYGON, MULTIPOLYGON or EMPTY, or in .dat; numbers are\n\
   \                            integers, decimals (also 1.5e-3) and fractions p/q\n\
@@ -13,6 +13,7 @@ let help =
    Options:\n\
   \  -h,--help                 show this help\n\
   \  --version                 show the version\n\
+  \  --trusted                 show what has to be believed, that is, what the proof is not about\n\
   \  --echo                    write P, Q and S as they were read: their chains, and of each the vertices in\n\
   \                            order, numbered as in certificates\n\n\
    Example:\n\
@@ -52,6 +53,7 @@ let answer arguments =
   match options with
   | _ when List.exists (fun o -> o = "-h" || o = "--help") options -> print_string help; 0
   | [ "--version" ] -> print_endline ("oplus-certified " ^ Version.version); 0
+  | [ "--trusted" ] -> print_string Trusted.text; 0
   | [] | [ "--echo" ] -> check (options <> []) files
   | option :: _ -> Program.refuse (Printf.sprintf "the option '%s' is not known (see --help)" (String.escaped option))
 

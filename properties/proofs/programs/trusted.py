@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Writes what a user of an extracted program has to believe, as OCaml: extraction's settings as they stand in the sources,
-and the numbers of lines of the sources that are not proved.
-Usage: trusted.py FILE PROOFS COQ SOURCES..., COQ what `coqc -where` prints, SOURCES those in OCaml and C"""
+the numbers of lines of the sources that are not proved, what made the program, and hashes.
+Usage: trusted.py FILE PROOFS COQC OCAMLFIND EXTRACTION SOURCES..., the last ones in PROOFS, SOURCES those that are not proved"""
 
+import hashlib
 import re
+import subprocess
 import sys
 from pathlib import Path
 
@@ -33,15 +35,26 @@ def settings(path, coq):
     return found + [re.sub(r"\s+", " ", setting) for setting in SETTING.findall(text)]
 
 
+def said(*command):
+    return subprocess.run(command, check=True, capture_output=True, text=True).stdout.strip()
+
+
 def main():
-    target, proofs, coq = map(Path, sys.argv[1:4])
+    target, proofs, coqc, ocamlfind = Path(sys.argv[1]), Path(sys.argv[2]), sys.argv[3], sys.argv[4]
+    extraction, *believed = sys.argv[5:]
+    coq = Path(said(coqc, "-where"))
     replaced = [f"  {setting}\n" for setting in settings(proofs / "programs/zarith.v", coq)]
-    counted = [described(path) for path in (proofs / "specification/specification.v", *map(Path, sys.argv[4:]))]
+    counted = [described(proofs / source) for source in believed]
+    hashes = [f"  {hashlib.sha256((proofs / source).read_bytes()).hexdigest()}  properties/proofs/{source}\n"
+              for source in (*believed, "programs/zarith.v", extraction)]
+    made_by = (f"Coq {said(coqc, '-print-version').split()[0]}, OCaml {said(ocamlfind, 'ocamlopt', '-version')}, "
+               f"Zarith {said(ocamlfind, 'query', '-format', '%v', 'zarith')}")
     text = (f"One has to believe, in lines without comments:\n{''.join(counted)}"
             "and Coq's kernel and extraction, OCaml's compiler and runtime, Zarith and GMP.\n"
             "There are no axioms.\n\n"
             f"Extraction replaces {len(replaced)} types and functions of Coq's by those of OCaml and Zarith, none of ours:\n"
-            f"{''.join(replaced)}")
+            f"{''.join(replaced)}\n"
+            f"The program was made by {made_by}, from these sources, of which `sha256sum` prints:\n{''.join(hashes)}")
     target.write_text(f"let text = {{trusted|{text}|trusted}}\n", encoding="utf-8")
 
 

@@ -1,7 +1,6 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* What a Minkowski sum is, certified or proved: all that a reader must believe. Nothing else is needed to understand
-   the theorem of certified_sums.v, accepts_only_sums accepts, of which docs/certificates.md explains each line, and
-   those of proved/. *)
+   the theorem of certified_sums.v, accepts_only_sums accepts, and those of proved/. docs/believe.md explains each line. *)
 From Coq Require Import QArith List.
 Import ListNotations.
 

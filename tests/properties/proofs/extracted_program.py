@@ -12,6 +12,8 @@ from pathlib import Path
 from extracted import replaced
 
 HERE = Path(__file__).parent
+# The page on what has to be believed.
+BELIEVED = HERE.parents[2] / "docs/believe.md"
 
 INVALID = 2
 
@@ -129,6 +131,18 @@ class ProgramTest:
         """No verdict, exit code 2, and one line on standard error, which the bash script has with the rest."""
         code, said = ran
         self.expect(kind, name, code == INVALID and said.count("\n") == 1 and wanted in said, f"exit code {code}: {said}")
+
+    def sources_told(self, said, *own):
+        """What --trusted says has the sources that every program has and its own ones, as the page has them."""
+        told = {name: lines for lines, name in re.findall(r"^ +(\d+)  ([\w.]+): \w", said, re.MULTILINE)}
+        expected = {"specification.v", "region_reader.v", "region_printer.v", "files.ml", "regions.ml", "program.ml", "stack.c",
+                    *own}
+        self.expect("sources told", "all", set(told) == expected, said)
+        page = BELIEVED.read_text(encoding="utf-8")
+        for name, lines in told.items():
+            self.expect("sources told", name, f"| `{name}` | {lines} |" in page, f"{lines} lines; not in {BELIEVED}")
+            self.expect("sources told", name, re.search(rf"^  [0-9a-f]{{64}}  \S+/{re.escape(name)}$", said, re.MULTILINE), said)
+        self.expect("sources told", "made by", re.search(r"by Coq [\d.]+, OCaml [\d.]+, Zarith [\d.]+,", said), said)
 
     def outputs(self, files, *commands):
         """With files of these texts, named by letters."""

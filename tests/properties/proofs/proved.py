@@ -16,7 +16,9 @@ import time
 from pathlib import Path
 
 from extracted import replaced
-from extracted_program import INVALID, INVALID_REGIONS, NUMBERS, ProgramTest, beside_plain, dat, run, square
+from extracted_program import (BELIEVED, INVALID, INVALID_REGIONS, NUMBERS, ProgramTest, beside_plain, dat, run,
+                               square)
+from sources import DEFINED, without_comments
 
 UNIT = f"POLYGON({square(0, 0, 1)})"
 L_SHAPE = "POLYGON((0 0,2 0,2 1,1 1,1 2,0 2,0 0))"
@@ -292,9 +294,10 @@ class Test(ProgramTest):
             self.expect("replacements told", name, code == 0 and f"  Constant {name} =>" in said, said)
         self.expect("replacements told", "Coq's own", "  Constant Z.add =>" in said and "  Inductive positive =>" in said, said)
         self.expect("replacements told", "all", len(re.findall(r"^  (Inlined )?(Constant|Inductive) ", said, re.M)) > 60, said)
-        for source in ("specification.v", "region_reader.v", "region_printer.v", "files.ml", "regions.ml", "program.ml", "stack.c", "text.ml", "commands.ml", "output.ml",
-                       "main.ml"):
-            self.expect("sources told", source, re.search(rf"^ +\d+  {re.escape(source)}: \w", said, re.M), said)
+        self.sources_told(said, "text.ml", "commands.ml", "output.ml", "main.ml")
+        page = BELIEVED.read_text(encoding="utf-8")
+        for name in DEFINED.findall(without_comments((proofs / "specification/specification.v").read_text(encoding="utf-8"))):
+            self.expect("definitions explained", name, f"`{name}`" in page, page)
         extraction = (proofs / "proved/extraction.v").read_text(encoding="utf-8")
         self.expect("extraction", "replaces nothing", not replaced(extraction), replaced(extraction))
         self.expect("extraction", "no axioms", "AXIOM" not in (build / "proved.ml").read_text(encoding="utf-8"), "there is one")
