@@ -65,6 +65,13 @@ Section Core.
 
   Definition kept_sign (e : segment) : Z := (as_number (right_inside (reversed e)) - as_number (right_inside e))%Z.
 
+  Lemma kept_is (e s : segment) : In s (kept_piece right_inside e) ->
+    kept_piece right_inside e = [s] /\ (s = e \/ s = reversed e).
+  Proof.
+    unfold kept_piece. destruct (right_inside (reversed e)), (right_inside e); intros I;
+      try destruct I as [<- | []]; try destruct I; tauto.
+  Qed.
+
   Lemma crossings_of_kept (x : vector) :
     winding_number x kept = sum (map (fun e => (signed_crossing x e * kept_sign e)%Z) pieces).
   Proof.
