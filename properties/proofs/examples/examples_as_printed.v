@@ -74,7 +74,8 @@ Proof.
 Qed.
 
 (* Two rooms: at the inner corner (6, 5) of one and (1, 1) of the other both segments leave, so both lead there. *)
-Example opposite_inner_corners : segment_leads_to room room OfP (5, 7) /\ segment_leads_to room room OfQ (5, 7).
+Example opposite_inner_corners :
+  segment_leads_to room room OfP (5, 7)%nat /\ segment_leads_to room room OfQ (5, 7)%nat.
 Proof.
   assert (edges_ : no_edge_is_a_point room)
     by (apply (simple_polygons_are_regions room); [apply drawn_polygons | now left]).

@@ -1,8 +1,8 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Over both numbers the theory says the same of rational regions: which of them are valid, which rational points are on
    their edges, in them and inside them, and which are in their Minkowski sum. What is compared agrees by
-   rational_polygons.v. What is said of all points, real ones included, follows from the rational ones: near a real point
-   are rational points, and where rational segments cross or overlap, too. *)
+   rational_polygons.v. What is said of all points, real ones included, follows from the rational ones: near a real
+   point are rational points, and where rational segments cross or overlap, too. *)
 From Coq Require Import Rbase QArith Qreals ZArith Bool List.
 From Coq Require Lra.
 Require Import Oplus.numbers.numbers Oplus.directions.direction Oplus.directions.angle Oplus.winding.angular_crossings
@@ -10,12 +10,11 @@ Require Import Oplus.numbers.numbers Oplus.directions.direction Oplus.directions
   Oplus.winding.beside_a_piece Oplus.chains.turning_number Oplus.cycles.states Oplus.cycles.in_out_degree
   Oplus.regions.regions Oplus.regions.left_of_an_edge Oplus.theorem_4_2_1.convolution_winding
   Oplus.theorem_4_2_1.interiors_meet Oplus.theorem_4_2_1.theorem_4_2_1 Oplus.chapter_2.theorem_2_2_6
-  Oplus.chapter_2.lemma_2_2_2.
+  Oplus.chapter_2.lemma_2_2_2 Oplus.examples.drawn_regions.
 Require Oplus.reals.theorem_4_2_1.theorem_4_2_1 Oplus.reals.winding.beside_a_piece.
 Require Import Oplus.both.rational_polygons.
 Import ListNotations.
 
-Module RealAngle := Oplus.reals.directions.angle.
 Module RealSmall := Oplus.reals.directions.small_numbers.
 Module RealCrossings := Oplus.reals.winding.angular_crossings.
 Module RealNear := Oplus.reals.winding.neighbourhoods.
@@ -94,7 +93,8 @@ Lemma edges_are_no_points_over_both (r : region) :
   RealRegions.no_edges_are_points (real_region r) <-> no_edges_are_points r.
 Proof.
   split; intros some chain I e J.
-  - apply nonzero_is. apply (some (real_chain chain)); [now apply in_map |]. rewrite edge_directions_are. now apply in_map.
+  - apply nonzero_is. apply (some (real_chain chain)); [now apply in_map |]. rewrite edge_directions_are.
+    now apply in_map.
   - apply in_map_iff in I. destruct I as (c & <- & I). rewrite edge_directions_are in J. apply in_map_iff in J.
     destruct J as (d & <- & J). apply nonzero_is. now apply (some c).
 Qed.
@@ -138,13 +138,15 @@ Proof.
   assert (differ : Q2R (area s (source t)) <> Q2R (area s (target t))) by (intros e; now apply crosses, eqR_Qeq).
   assert (line : ((1 - j) * Q2R (area s (source t)) + j * Q2R (area s (target t)) = 0)%R).
   { rewrite <- !area_is. unfold RealWinding.area, RealDirection.cross, RealWinding.minus in *.
-    destruct w as [x y]. cbn [real_segment RealWinding.source RealWinding.target RealDirection.vx RealDirection.vy] in *.
+    destruct w as [x y].
+    cbn [real_segment RealWinding.source RealWinding.target RealDirection.vx RealDirection.vy] in *.
     rewrite sx in tx. rewrite sy in ty. RealWinding.by_equations. }
   rewrite <- point_at_is, Q2R_div, Q2R_opp, Q2R_minus by exact some.
   set (a := Q2R (area s (source t))) in *. set (b := Q2R (area s (target t))) in *.
   assert (j_is : (j = - a / (b - a))%R).
   { apply (Rmult_eq_reg_r (b - a)); [| Lra.lra]. unfold Rdiv. rewrite Rmult_assoc, Rinv_l by Lra.lra. Lra.lra. }
-  rewrite <- j_is. destruct w. unfold RealPiece.point_at. cbn [RealDirection.vx RealDirection.vy] in *. now rewrite tx, ty.
+  rewrite <- j_is. destruct w. unfold RealPiece.point_at. cbn [RealDirection.vx RealDirection.vy] in *.
+  now rewrite tx, ty.
 Qed.
 
 (* Edges that overlap have two common points, and between them are some that are no vertices. *)
@@ -169,7 +171,8 @@ Lemma real_overlap_is_rational (s t : segment) (w : RealDirection.vector) :
   exists k l, 0 <= k /\ k < l /\ l <= 1 /\ lies_on (point_at s k) t /\ lies_on (point_at s l) t.
 Proof.
   intros parallel long (k & range & sx & sy) (j & range_j & tx & ty).
-  assert (multiple : exists c, RealDirection.vx (real_point (along s)) = (c * RealDirection.vx (real_point (along t)))%R /\
+  assert (multiple : exists c,
+    RealDirection.vx (real_point (along s)) = (c * RealDirection.vx (real_point (along t)))%R /\
     RealDirection.vy (real_point (along s)) = (c * RealDirection.vy (real_point (along t)))%R).
   { apply RealWinding.multiple_of; [now apply nonzero_is |].
     unfold RealDirection.cross. cbn [real_point RealDirection.vx RealDirection.vy].
@@ -201,7 +204,8 @@ Proof.
     (RealEdges.edges_meet_in_vertices (real_region r) <-> edges_meet_in_vertices r)) as meet.
   { rewrite edges_are_no_points_over_both, nowhere_negative_over_both. tauto. }
   intros edges_are_long. split; intros meet earlier s later t w is_ I on_s on_t.
-  - apply is_vertex_is. apply (meet (map real_segment earlier) (real_segment s) (map real_segment later) (real_segment t)).
+  - apply is_vertex_is.
+    apply (meet (map real_segment earlier) (real_segment s) (map real_segment later) (real_segment t)).
     + now rewrite region_edges_are, is_, map_app.
     + rewrite <- map_app. now apply in_map.
     + now apply lies_on_is.
@@ -231,6 +235,10 @@ Proof.
     + destruct (crossing_is_rational s' t' w crosses on_s on_t) as (v & ->). apply is_vertex_is.
       apply (meet l s' m' t'); trivial; now apply lies_on_is.
 Qed.
+
+(* So regions that one can draw are valid over the reals, too: hypotheses are not empty there. *)
+Example chamber_over_the_reals : RealTheorem.valid_region (real_region chamber).
+Proof. apply valid_regions_agree, drawn_regions. Qed.
 
 (* Theorem. Over the reals the Minkowski sum of two rational regions has the same rational points as over the
    rationals. *)

@@ -52,10 +52,15 @@ Lemma at_most_is (a b : Q) : RealWinding.at_most (Q2R a) (Q2R b) = at_most a b.
 Proof. unfold RealWinding.at_most. now rewrite compare_is. Qed.
 
 Lemma minus_is (a b : vector) : RealWinding.minus (real_point a) (real_point b) = real_point (minus a b).
-Proof. unfold RealWinding.minus, real_point. cbn [RealDirection.vx RealDirection.vy vx vy minus]. now rewrite !Q2R_minus. Qed.
+Proof.
+  unfold RealWinding.minus, real_point. cbn [RealDirection.vx RealDirection.vy vx vy minus].
+  now rewrite !Q2R_minus.
+Qed.
 
 Lemma plus_is (a b : vector) : RealDegree.plus (real_point a) (real_point b) = real_point (plus a b).
-Proof. unfold RealDegree.plus, real_point. cbn [RealDirection.vx RealDirection.vy vx vy plus]. now rewrite !Q2R_plus. Qed.
+Proof.
+  unfold RealDegree.plus, real_point. cbn [RealDirection.vx RealDirection.vy vx vy plus]. now rewrite !Q2R_plus.
+Qed.
 
 (* Winding numbers. *)
 Lemma orientation_is (a b c : vector) :
@@ -184,7 +189,8 @@ Proof.
   assert (edge_is : forall c k, RealSize.edge_of_chain (real_chain c) k = real_point (edge_of_chain c k)).
   { intros c k. unfold RealSize.edge_of_chain. rewrite edge_directions_are, nowhere_is. apply map_nth. }
   destruct s; cbn [real_summand RealSize.is_convolution_segment is_convolution_segment];
-    rewrite corner_is, edge_is; [exact (in_tangent_set_is (Direction _ OfP) _) | exact (in_tangent_set_is (Direction _ OfQ) _)].
+    rewrite corner_is, edge_is;
+    [exact (in_tangent_set_is (Direction _ OfP) _) | exact (in_tangent_set_is (Direction _ OfQ) _)].
 Qed.
 
 Definition real_name (s : named_segment) : RealStates.named_segment := (real_summand (fst s), snd s).
@@ -209,14 +215,16 @@ Qed.
 Theorem convolutions_agree (p q : region) :
   RealConvolution.convolution_segments (real_region p) (real_region q) = map real_segment (convolution_segments p q).
 Proof.
-  unfold RealConvolution.convolution_segments, convolution_segments, RealDegree.segments_of_regions, segments_of_regions.
+  unfold RealConvolution.convolution_segments, convolution_segments, RealDegree.segments_of_regions,
+    segments_of_regions.
   assert (pairs : forall r, list_prod (real_region p) (real_region r) =
     map (fun chains => (real_chain (fst chains), real_chain (snd chains))) (list_prod p r)).
   { intros r. unfold real_region. induction p as [| chain rest IH]; [reflexivity |]. cbn [map list_prod].
     rewrite IH, map_app, !map_map. reflexivity. }
   rewrite pairs. clear pairs. induction (list_prod p q) as [| [a b] rest IH]; [reflexivity |].
   cbn [map flat_map fst snd]. rewrite !map_app. f_equal; [| exact IH]. rewrite convolution_is, !map_map. apply map_ext.
-  assert (point_is : forall at_, RealDegree.point_of (real_chain a, real_chain b) at_ = real_point (point_of (a, b) at_)).
+  assert (point_is : forall at_,
+    RealDegree.point_of (real_chain a, real_chain b) at_ = real_point (point_of (a, b) at_)).
   { intros at_. unfold RealDegree.point_of, point_of. cbn [fst snd]. rewrite <- plus_is, nowhere_is.
     unfold real_chain. now rewrite !map_nth. }
   intros [s at_]. unfold RealDegree.starts_at, RealDegree.ends_at, starts_at, ends_at, real_segment.

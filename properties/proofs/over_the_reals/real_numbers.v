@@ -33,12 +33,9 @@ Notation "x < y < z" := (x < y /\ y < z) : Q_scope.
 Notation "x == y" := (@eq R x y) (at level 70, no associativity) : Q_scope.
 Notation "a # b" := (IZR a%Z / IZR (Zpos b%positive)) (at level 55, no associativity) : Q_scope.
 Notation inject_Z := IZR.
-Notation Qopp := Ropp.
 Arguments Rmin (_ _)%Q_scope.
-Arguments Rmax (_ _)%Q_scope.
 Arguments Rabs _%Q_scope.
 Notation Qmin := Rmin.
-Notation Qmax := Rmax.
 Notation Qabs := Rabs.
 
 (* What setoid_replace shows: with Nsatz comes another relation. *)
@@ -49,13 +46,8 @@ Definition Qcompare (x y : Q) : comparison :=
   match total_order_T x y with inleft (left _) => Lt | inleft (right _) => Eq | inright _ => Gt end.
 Infix "?=" := Qcompare (at level 70, no associativity) : Q_scope.
 
-Ltac by_order :=
-  unfold Qcompare;
-  repeat match goal with |- context [total_order_T ?x ?y] => destruct (total_order_T x y) as [[? | ?] | ?] end;
-  try constructor; intros; try discriminate; try reflexivity; lra.
-
 Lemma Qcompare_spec (x y : Q) : CompareSpec (x == y) (x < y) (y < x) (x ?= y).
-Proof. by_order. Qed.
+Proof. unfold Qcompare. destruct (total_order_T x y) as [[? | ?] | ?]; constructor; lra. Qed.
 
 Lemma Qeq_alt (x y : Q) : x == y <-> (x ?= y) = Eq.
 Proof. split; destruct (Qcompare_spec x y); intros; trivial; (discriminate || lra). Qed.
