@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "checked/distance/distance.hpp"
-#include "checked/distance/point_location.hpp"
 #include "checked/operations/operations.hpp"
+#include "checked/oplus/oplus.hpp"
 #include "checked/slide/slide.hpp"
 #include "reference/chains/near_point.hpp"
 #include "reference/definitions/exact_box.hpp"
@@ -66,11 +66,12 @@ struct Asked {
 };
 
 struct Located : Asked {
-  explicit Located(const Summands& pair) : Asked(pair), location(no_fit) {}
+  explicit Located(const Summands& pair)
+      : Asked(pair), placements(ValidRegion(pair.p), ValidRegion(pair.q)) {}
 
-  Location locate(const Point& x) const { return location.locate(x); }
+  Location locate(const Point& x) const { return placements.locate(x); }
 
-  PointLocation location;
+  Placements placements;
 };
 
 /// A look at each edge: in doubles, and exactly where these don't decide.
@@ -133,7 +134,7 @@ std::vector<BenchEngine> distance_engines() {
   return {
       engine<Distances>("distance", "oplus: the distance, and nearest points", "distances"),
       engine<Depths>("depth", "oplus: the depth of an overlap", "distances"),
-      engine<Places<Located>>("placements", "oplus: point location in a no-fit polygon", "places"),
+      engine<Places<Located>>("placements", "oplus: places, asked of Placements", "places"),
       engine<Places<Scanned>>("scan", "oplus: the same by a look at each edge", "places"),
   };
 }

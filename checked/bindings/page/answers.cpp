@@ -342,7 +342,6 @@ void put_placement(Answer& answer, const Region& p, const Region& q, const Point
                    const ConvolutionCycles& traced) {
   const std::vector<Segment> convolution = segments(full_convolution(traced));
   const Location location = locate(x, region_of(sum));
-  const Overlap nearest = WaysOut(edges(p), edges(reflected(q)), open_sum).from(x);
   answer.key("placement");
   answer.object([&] {
     answer.member("q", chains(translated(reflected(q), x)));
@@ -353,6 +352,8 @@ void put_placement(Answer& answer, const Region& p, const Region& q, const Point
                               : location == Location::boundary ? "on the boundary of"
                                                                : "outside");
     answer.member("meet", hierarchy_collision(p, q)->interiors_meet_at(x));
+    if (open_sum.outer.empty()) return;
+    const Overlap nearest = WaysOut(edges(p), edges(reflected(q)), open_sum).from(x);
     answer.member("move", to_string(nearest.move));
     answer.member("squared", to_string(nearest.squared_depth));
     answer.member("contact", to_string(nearest.contact));

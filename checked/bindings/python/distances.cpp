@@ -74,13 +74,8 @@ overlap wherever q is.
 Placements(p, q, *, threads=1) computes their no-fit polygon once. q + x is q moved by x.
 
 >>> square = [[0, 0], [1, 0], [1, 1], [0, 1]]
->>> at = oplus.Placements(square, square)
->>> at.locate((0, 0)), at.locate((1, '1/2')), at.locate((2, 0))
-('inside', 'boundary', 'outside')
->>> at.depth(('1/2', '1/4'))[0]
-(Fraction(1, 2), Fraction(0, 1))
->>> at.distance((3, 0))[0]
-Fraction(4, 1)
+>>> oplus.Placements(square, square).locate((3, 0))
+'outside'
 )")
       .def(py::init([](py::handle p_value, py::handle q_value, long long threads) {
              const PreparedRegion p = region_of(p_value), q = region_of(q_value);
@@ -90,24 +85,43 @@ Fraction(4, 1)
            py::arg("p"), py::arg("q"), py::kw_only(), py::arg("threads") = 1)
       .def_property_readonly(
           "no_fit", [](const Placements& placements) { return placements.no_fit(); },
-          "The no-fit polygon, as nfp returns it.")
+          R"(The no-fit polygon, as nfp returns it.
+
+>>> square = [[0, 0], [1, 0], [1, 1], [0, 1]]
+>>> print(oplus.Placements(square, square).no_fit)
+POLYGON ((-1 -1, 1 -1, 1 1, -1 1, -1 -1))
+)")
       .def("locate", at_place([](const auto& of, const auto& x) { return of.locate(x); }),
            py::arg("x"), R"(locate(x)
 --
 
 Returns 'inside' where q + x overlaps p, 'boundary' where they only touch, else 'outside'.
+
+>>> square = [[0, 0], [1, 0], [1, 1], [0, 1]]
+>>> at = oplus.Placements(square, square)
+>>> at.locate((0, 0)), at.locate((1, '1/2')), at.locate((2, 0))
+('inside', 'boundary', 'outside')
 )")
       .def("depth", at_place([](const auto& of, const auto& x) { return of.depth(x); }),
            py::arg("x"), R"(depth(x)
 --
 
 Returns depth(p, q + x).
+
+>>> square = [[0, 0], [1, 0], [1, 1], [0, 1]]
+>>> move, squared_depth, contact = oplus.Placements(square, square).depth(('1/2', '1/4'))
+>>> move, squared_depth
+((Fraction(1, 2), Fraction(0, 1)), Fraction(1, 4))
 )")
       .def("distance", at_place([](const auto& of, const auto& x) { return of.distance(x); }),
            py::arg("x"), R"(distance(x)
 --
 
 Returns distance(p, q + x).
+
+>>> square = [[0, 0], [1, 0], [1, 1], [0, 1]]
+>>> oplus.Placements(square, square).distance((3, 2))
+(Fraction(5, 1), (Fraction(1, 1), Fraction(1, 1)), (Fraction(3, 1), Fraction(2, 1)))
 )");
 }
 
