@@ -5,7 +5,7 @@
    After the move, edges that crossed still cross: their parallelogram still goes round x (crossing_edges.v). A vertex
    that was inside the other region still is; and what was near a vertex on an edge, to the left of the edge, still
    is to its left. *)
-From Coq Require Import QArith Qminmax Lqa ZArith Lia Bool List.
+From Coq Require Import QArith Qminmax Lqa ZArith Lia Bool List Permutation.
 From Oplus Require Import regions_and_sums reflected parallelogram crossing_edges boundary_points pieces naive_collision
   met_pieces collision_is_sound collision_is_complete placed_collision filling kept_pieces_go_round cut_pieces
   rule_of_sides region_of_pieces coordinates.
@@ -64,7 +64,9 @@ Proof.
     - rewrite e_is. apply (lies_on_of_one_place piece);
         [apply of_one_place_sym, undirected_place | apply source_lies_on]. }
   split.
-  - intros radius R. destruct (inside_near_kept _ long _ _ ends_ s _ radius S on_s R) as (y & close & free & y_both).
+  - intros radius R. pose proof (chains_of_kept _ _ _ ends_) as edges_are.
+    destruct (inside_near_the_chains _ long _ _ ends_ _ edges_are (source piece) radius) as (y & close & free & y_both);
+      [right; exists s; split; [exact (Permutation_in _ (Permutation_sym edges_are) S) | exact on_s] | exact R |].
     apply both in y_both. destruct y_both as [round_p round_q]. exists y. split; [exact close |].
     rewrite <- inside_placed. split; (split; [| assumption]); intros f F; apply free, in_concat; eexists;
       (split; [| exact F]); cbn; tauto.

@@ -130,22 +130,28 @@ Section Region.
     apply A_is; [exact free_z | now apply all_in].
   Qed.
 
+  Lemma inside_near_the_chains (x : vector) (radius : Q) : in_region x chains -> 0 < radius ->
+    exists y, within radius x y /\ off y segments /\ inside y = true.
+  Proof.
+    intros in_ R.
+    apply (inside_near_inner_points (fun y => (0 < winding_number y (region_edges chains))%Z) x radius); trivial.
+    - intros y free. rewrite round_the_chains by exact free. now destruct (inside y).
+    - destruct chains_are_valid as (edges_ & numbers_ & meet_). intros r r_some.
+      destruct (inside_near _ x r (regions_are_regular _ edges_ numbers_ meet_) in_ r_some)
+        as (z & close & free & some).
+      destruct (winding_number_near z _ (region_cycles chains) free) as (inner & I & near). exists z.
+      split; [exact close |]. exists inner. split; [exact I |]. intros u close_u.
+      now destruct (near u close_u) as [_ ->].
+  Qed.
+
   (* Theorem. If off the segments the set is A, the region is the closure of the interior of A. *)
   Theorem points_of_the_chains (A : vector -> Prop) (x : vector) :
     (forall y, off y segments -> (A y <-> inside y = true)) -> (in_region x chains <-> regularised A x).
   Proof.
     intros A_is. split.
     - intros in_ radius R.
-      assert (some : exists y, within radius x y /\ off y segments /\ inside y = true).
-      { apply (inside_near_inner_points (fun y => (0 < winding_number y (region_edges chains))%Z) x radius); trivial.
-        - intros y free. rewrite round_the_chains by exact free. now destruct (inside y).
-        - destruct chains_are_valid as (edges_ & numbers_ & meet_). intros r r_some.
-          destruct (inside_near _ x r (regions_are_regular _ edges_ numbers_ meet_) in_ r_some) as (z & close & free &
-            some).
-          destruct (winding_number_near z _ (region_cycles chains) free) as (inner & I & near). exists z.
-          split; [exact close |]. exists inner. split; [exact I |]. intros u close_u.
-          now destruct (near u close_u) as [_ ->]. }
-      destruct some as (y & close & free & inside_). exists y. split; [exact close |].
+      destruct (inside_near_the_chains x radius in_ R) as (y & close & free & inside_). exists y.
+      split; [exact close |].
       destruct (off_near y segments free) as (r1 & R1 & near_1).
       destruct (unchanged_near _ _ _ ends_ y (off_pieces y free)) as (r2 & R2 & near_2).
       exists (Qmin r1 r2). split; [now apply Q.min_glb_lt |]. intros z close_z.

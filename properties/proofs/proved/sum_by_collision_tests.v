@@ -42,7 +42,7 @@ Section ValidRegions.
     pose proof (strictly_inside_lies_on _ _ (middle_is_inside e)) as on_e. split.
     - exists (middle e). split; [unfold within; lra |]. destruct (pieces_are_on _ _ cut_ e _ E on_e) as (t & T & on).
       exact (on_the_convolution_is_in_the_sum p q _ t T on).
-    - pose proof (chains_of_kept segments all_long _ _ (filled_ends_at_pieces segments all_long closed)) as permuted.
+    - pose proof (chains_of_kept segments _ _ (filled_ends_at_pieces segments all_long closed)) as permuted.
       set (chains := chains_of _ _) in permuted.
       destruct (kept_piece _ e) as [| s l] eqn:kept_is_; [contradiction |].
       assert (S : In s (kept_piece (is_right_inside segments) e)) by (rewrite kept_is_; now left).

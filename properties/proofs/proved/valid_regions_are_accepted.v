@@ -4,8 +4,8 @@
    for such segments the signs that are compared are as the test asks. *)
 From Coq Require Import QArith Lqa Qfield ZArith Lia Bool List Permutation.
 From Oplus Require Import specification checker regions_and_sums distinct right_of_an_edge observation_2_2_4
-  homogeneous_points specification_bridge location pieces naive_collision kept_pieces_go_round test_of_regions
-  collision_is_sound collision_is_complete checked_collision beside_a_piece cut_pieces edges_of_valid_regions walks
+  homogeneous_points specification_bridge location pieces met_pieces naive_collision kept_pieces_go_round
+  test_of_regions collision_is_sound collision_is_complete checked_collision beside_a_piece cut_pieces edges_of_valid_regions walks
   sum_program sum_is_right inner_fit_program coordinates complement_in_a_frame touching_vertices.
 Import ListNotations.
 
