@@ -5,8 +5,9 @@
 From Coq Require Import QArith Lqa Qfield ZArith Lia Bool List Permutation.
 From Oplus Require Import specification checker regions_and_sums distinct right_of_an_edge observation_2_2_4
   homogeneous_points specification_bridge location pieces met_pieces naive_collision kept_pieces_go_round
-  test_of_regions collision_is_sound collision_is_complete checked_collision beside_a_piece cut_pieces edges_of_valid_regions walks
-  sum_program sum_is_right inner_fit_program coordinates complement_in_a_frame touching_vertices.
+  test_of_regions collision_is_sound collision_is_complete placed_collision checked_collision beside_a_piece
+  cut_pieces edges_of_valid_regions walks sum_program sum_is_right inner_fit_program coordinates complement_in_a_frame
+  touching_vertices.
 Import ListNotations.
 
 Open Scope Q_scope.
