@@ -180,6 +180,12 @@ std::unique_ptr<CollisionTest> hierarchy_collision(const Region& p, const Region
   return std::make_unique<HierarchyCollision>(p, q);
 }
 
+bool interiors_meet(const SummandBoundary& p, const SummandBoundary& q, const Vector& by) {
+  Query query(p, q, by);
+  const auto visit = [&](std::size_t i, std::size_t j) { return query.visit(i, j); };
+  return p.pieces.visit_meeting(q.pieces, by, visit) || query.meet_without_crossing();
+}
+
 std::unique_ptr<CollisionTest> naive_collision(const Region& p, const Region& q) {
   return std::make_unique<NaiveCollision>(p, q);
 }

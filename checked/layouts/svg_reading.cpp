@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <array>
+#include <map>
+
+#include "checked/layouts/builder.hpp"
+#include "checked/layouts/svg_document.hpp"
+#include "checked/layouts/svg_transform.hpp"
+#include "checked/operations/image.hpp"
+#include "reference/io/counted.hpp"
+#include "reference/io/quoting.hpp"
+
+namespace oplus::layouts {
+
+namespace {
+
+bool has_word(std::string_view words, std::string_view word) {
+  for (std::size_t i = words.find(word); i < words.size(); i = words.find(word, i + 1)) {
+    const std::size_t end = i + word.size();
+    if ((i == 0 || is_blank(words[i - 1])) && (end == words.size() || is_blank(words[end])))
+      return true;
+  }
+  return false;
+}
+
+/// As SVGnest's class and the groups of sparrow call it: "bin", "bin_0", "container_0", "sheet".
+bool is_container(const Element& element) {
+  std::string_view id = SvgDocument::value(element, "id");
+  id = id.substr(0, id.find_last_not_of("0123456789_-") + 1);
+  const std::string_view classes = SvgDocument::value(element, "class");
+  constexpr std::array names{"bin", "container", "sheet"};
+  return std::any_of(names.begin(), names.end(),
+                     [&](std::string_view name) { return id == name || has_word(classes, name); });
+}
+
+bool is_hidden(const Element& element) {
+  std::string style(SvgDocument::value(element, "style"));
+  std::erase_if(style, is_blank);
+  return SvgDocument::value(element, "display") == "none" ||
+         style.find("display:none") != std::string::npos ||
+         SvgDocument::value(element, "id") == "optionals";  // what sparrow draws over a layout
+}
+
+bool is_hole(const Element& element) {
+  return has_word(SvgDocument::value(element, "class"), "hole");
+}
+
+enum class Role { part, container, zone };
+
+struct Around {
+  AffineMap map = {};
+  Role role = Role::part;
+  std::string label = {};
+  std::size_t uses = 0;  ///< how many elements use are around it
+};
+
+class SvgReader {
+ public:
+  explicit SvgReader(Builder& builder) : builder_(builder), document_(builder.input) {}
+
+  void read() {
+    children(document_.root(), {});
+    const auto note = [&](std::size_t count, const std::string& one, const std::string& many,
+                          const std::string& why) {
+      if (count > 0)
+        builder_.layout.notes.push_back(one_line(builder_.input.name) + ": " +
+                                        counted(count, one, many) + why);
+    };
+    note(lines_, "line was", "lines were", " left out: they have no area");
+    note(zones_, "quality zone was", "quality zones were",
+         " left out: an SVG file does not say which part needs which quality");
+  }
+
+ private:
+  void children(const Element& element, const Around& around) {
+    for (const Element* child = element.first_node(); child != nullptr;
+         child = child->next_sibling())
+      if (child->type() == xml::node_element) read(*child, around);
+  }
+
+  void read(const Element& element, Around around) {
+    constexpr std::size_t most = 10'000'000;
+    const auto refuse = [&](const std::string& wrong, const std::string& expected) {
+      builder_.input.refuse(document_.at(element), wrong, expected);
+    };
+    if (++elements_ > most)
+      refuse(
+          "more than " + std::to_string(most) + " elements, those that are used counted each time",
+          "fewer");
+    const std::string_view name = local_name(element);
+    if (is_hidden(element)) return;
+    if (const std::string_view id = document_.value(element, "id"); !id.empty()) around.label = id;
+    if (is_container(element)) around.role = Role::container;
+    if (document_.value(element, "id") == "quality_zones") around.role = Role::zone;
+    if (name == "svg") refuse("an svg inside another one", "elements svg only around all others");
+    const bool is_shape =
+        name == "path" || name == "polygon" || name == "polyline" || name == "rect";
+    if (!is_shape && name != "g" && name != "a" && name != "use") {
+      if (name == "circle" || name == "ellipse")
+        refuse("the element " + std::string(name) + " is a curve",
+               "straight segments: paths, polygons and rectangles");
+      lines_ += name == "line" ? 1 : 0;
+      return;  // what has no area, or is drawn only where it is used
+    }
+    if (const std::string_view text = document_.value(element, "transform"); !text.empty())
+      around.map = around.map * naming(
+                                    "", [&] { return svg_transform(builder_, text); },
+                                    document_.at(element, "transform"));
+    if (name == "use")
+      use(element, around);
+    else if (is_shape)
+      shape(element, around);
+    else
+      children(element, around);
+  }
+
+  void use(const Element& element, Around around) {
+    constexpr std::size_t deepest = 16;
+    const bool has_href = element.first_attribute("href") != nullptr;
+    const char* reference = has_href ? "href" : "xlink:href";
+    const std::string_view href = document_.value(element, reference);
+    const auto refuse = [&](const std::string& wrong, const std::string& expected) {
+      builder_.input.refuse(document_.at(element, reference), wrong, expected);
+    };
+    if (!href.starts_with('#'))
+      refuse("the reference " + quote(href), "the id of an element, as #part");
+    const auto [known, is_new] = used_.try_emplace(std::string(href.substr(1)));
+    if (is_new) known->second = document_.find(known->first);
+    if (known->second == nullptr)
+      refuse("there is no part " + quote(known->first), "the id of an element");
+    if (++around.uses > deepest)
+      refuse("elements that use each other, deeper than " + std::to_string(deepest) + " levels",
+             "fewer");
+    around.map = around.map * AffineMap{1, 0, 0, 1, {length(element, "x"), length(element, "y")}};
+    read(*known->second, around);
+  }
+
+  /// 0 where it is missing.
+  Rational length(const Element& element, const char* attribute) const {
+    Rational value;
+    if (element.first_attribute(attribute) != nullptr)
+      put_coordinate(builder_.input, document_.value(element, attribute),
+                     document_.at(element, attribute), value, [&] { return std::string(attribute); });
+    return value;
+  }
+
+  /// What the element draws.
+  PlacedGeometry drawn(const Element& element) {
+    const std::string& name = builder_.input.name;
+    if (local_name(element) == "rect") {
+      for (const char* radius : {"rx", "ry"})
+        if (length(element, radius) != 0)
+          builder_.input.refuse(document_.at(element, radius), "a rectangle with round corners",
+                                "straight segments");
+      const Point low{length(element, "x"), length(element, "y")};
+      const Point high{low.x + length(element, "width"), low.y + length(element, "height")};
+      PlacedGeometry result;
+      result.chains.push_back({.vertices = {low, {high.x, low.y}, high, {low.x, high.y}},
+                               .places = std::vector<Position>(4, document_.at(element)),
+                               .start = document_.at(element)});
+      return result;
+    }
+    if (local_name(element) == "path")
+      return parse_svg_path({name, document_.value(element, "d")}, Overlaps::refused);
+    const std::string path = "M" + std::string(document_.value(element, "points")) + "Z";
+    return parse_svg_path({name, path}, Overlaps::refused);
+  }
+
+  /// With the holes that follow it as elements of their own.
+  const Region& region(const Element& element) {
+    const auto [known, is_new] = regions_.try_emplace(&element);
+    if (!is_new) return known->second;
+    const auto part = [&](const Element& of) {
+      const std::string_view name = local_name(of);
+      Position start = document_.at(of, name == "path" ? "d" : "points");
+      if (name == "rect") start = {};
+      if (name == "polygon" || name == "polyline") --start.column;
+      return naming(
+          "", [&] { return drawn(of); }, start);
+    };
+    PlacedGeometry all = part(element);
+    for (const Element* next = element.next_sibling();
+         next != nullptr && is_hole(*next) && !all.chains.empty(); next = next->next_sibling()) {
+      if (document_.value(*next, "transform") != document_.value(element, "transform"))
+        builder_.input.refuse(document_.at(*next), "a hole with a transform of its own",
+                              "that of the element around it");
+      for (PlacedChain& hole : part(*next).chains) {
+        hole.name = {1, all.chains.back().name.hole + 1};
+        all.chains.push_back(std::move(hole));
+      }
+    }
+    return known->second = builder_.region(std::move(all));
+  }
+
+  /// Whether a polyline ends where it starts.
+  bool is_closed(const Element& element) const {
+    const std::string path = "M" + std::string(document_.value(element, "points"));
+    return naming(
+        "",
+        [&] {
+          const PlacedGeometry drawn =
+              parse_svg_path({builder_.input.name, path}, Overlaps::allowed);
+          return !drawn.chains.empty() && !drawn.chains[0].is_open;
+        },
+        document_.at(element, "points"));
+  }
+
+  void shape(const Element& element, const Around& around) {
+    if (is_hole(element) && element.previous_sibling() != nullptr) return;
+    if (local_name(element) == "polyline" && !is_closed(element)) {
+      ++lines_;
+      return;
+    }
+    Sheet& sheet = builder_.layout.sheets.back();
+    const std::string what = around.role == Role::part
+                                 ? "part " + std::to_string(sheet.parts.size() + 1)
+                             : around.role == Role::zone ? "quality zone"
+                                                         : "container";
+    const Region& original = naming(what, [&]() -> const Region& { return region(element); });
+    if (original.components.empty()) return;
+    if (around.map.determinant() == 0)
+      builder_.input.refuse(document_.at(element), what + " is flat after its transform",
+                            "a part with area");
+    switch (around.role) {
+      case Role::part:
+        return builder_.place(around.label, document_.at(element).line, &original, original,
+                              around.map);
+      case Role::container:
+        if (sheet.container)
+          builder_.input.refuse(document_.at(element), "a second container", "one for all parts");
+        sheet.container = image(around.map, original);
+        return;
+      case Role::zone:
+        const Element* title = element.first_node("title");
+        if (title != nullptr &&
+            std::string_view(title->value(), title->value_size()).ends_with("q: 0"))
+          sheet.defects.push_back({image(around.map, original)});
+        else
+          ++zones_;
+    }
+  }
+
+  Builder& builder_;
+  SvgDocument document_;
+  std::size_t elements_ = 0, lines_ = 0, zones_ = 0;
+  std::map<std::string, const Element*> used_;
+  std::map<const Element*, Region> regions_;
+};
+
+}  // namespace
+
+void read_svg(Builder& builder) { SvgReader(builder).read(); }
+
+}  // namespace oplus::layouts
