@@ -140,7 +140,8 @@ class SvgReader {
     Rational value;
     if (element.first_attribute(attribute) != nullptr)
       put_coordinate(builder_.input, document_.value(element, attribute),
-                     document_.at(element, attribute), value, [&] { return std::string(attribute); });
+                     document_.at(element, attribute), value,
+                     [&] { return std::string(attribute); });
     return value;
   }
 
