@@ -6,9 +6,9 @@
 #include <iterator>
 #include <utility>
 
+#include "checked/verify/collision_verdicts.hpp"
 #include "checked/verify/exceptional_places.hpp"
 #include "checked/verify/overlay.hpp"
-#include "checked/verify/placements.hpp"
 #include "checked/verify/sum_by_convex_parts.hpp"
 #include "checked/verify/witness.hpp"
 #include "reference/chains/near_point.hpp"
@@ -296,15 +296,15 @@ class Exceptional {
   std::optional<std::vector<Segment>> places_;
 };
 
-std::vector<Reason> face_reasons(const Overlay& overlay, const Placements& placements,
+std::vector<Reason> face_reasons(const Overlay& overlay, const CollisionVerdicts& verdicts,
                                  Exceptional& exceptional) {
   std::vector<Reason> reasons;
   for (auto& [reason, boundary] : overlay.differences()) {
     reason.witness = point_of_face(*boundary, {});
-    if (placements.interiors_meet_by_definition_at(reason.witness) != reason.in_sum) {
+    if (verdicts.interiors_meet_by_definition_at(reason.witness) != reason.in_sum) {
       // A point inside the closed sum may be on a dangling edge.
       if (reason.in_sum) reason.witness = point_of_face(*boundary, exceptional.places());
-      if (!reason.in_sum || !placements.interiors_meet_by_definition_at(reason.witness))
+      if (!reason.in_sum || !verdicts.interiors_meet_by_definition_at(reason.witness))
         throw VerdictsDiffer("convex parts and the collision test differ at " +
                              to_string(reason.witness));
     }
@@ -377,7 +377,7 @@ bool same_features(const ClaimedSum& given, const PlanarSet& right) {
 /// A second verdict: a point on either side of each chain of the sum, by the collision test. The points
 /// are on no edge of the sum, but one inside it may be on a dangling edge, of which a closed sum says
 /// nothing: then another point decides, which is on none.
-void ask_collision_test(const PlanarSet& sum, Boundary boundary, const Placements& placements,
+void ask_collision_test(const PlanarSet& sum, Boundary boundary, const CollisionVerdicts& verdicts,
                         Exceptional& exceptional) {
   std::vector<Segment> all = edges(sum);
   for (const Point& p : sum.isolated_vertices) all.push_back({p, p});
@@ -388,10 +388,10 @@ void ask_collision_test(const PlanarSet& sum, Boundary boundary, const Placement
       if (chain.size() < 3) throw VerdictsDiffer("convex parts leave a chain that bounds nothing");
       for (const bool left : {true, false}) {
         Point x = point_near(tree, edge, left);
-        bool meet = placements.interiors_meet_at(x);
+        bool meet = verdicts.interiors_meet_at(x);
         if (left && !meet && boundary == Boundary::closed) {
           x = point_left_of(all[edge], all, exceptional.places());
-          meet = placements.interiors_meet_at(x);
+          meet = verdicts.interiors_meet_at(x);
         }
         if (meet != left)
           throw VerdictsDiffer("convex parts and the collision test differ at " + to_string(x));
@@ -402,14 +402,15 @@ void ask_collision_test(const PlanarSet& sum, Boundary boundary, const Placement
 }
 
 PlanarSet decided_sum(const Region& p, const Region& q, Boundary boundary,
-                      const Placements& placements, Exceptional& exceptional) {
+                      const CollisionVerdicts& verdicts, Exceptional& exceptional) {
   PlanarSet sum = sum_by_convex_parts(p, q, boundary);
-  ask_collision_test(sum, boundary, placements, exceptional);
+  ask_collision_test(sum, boundary, verdicts, exceptional);
   return sum;
 }
 
 Verdict verdict(PlanarSet computed, const Region& p, const Region& q, Boundary boundary,
-                const ClaimedSum& sum, const Placements& placements, Exceptional& exceptional) {
+                const ClaimedSum& sum, const CollisionVerdicts& verdicts,
+                Exceptional& exceptional) {
   Verdict result;
   result.right = std::move(computed);
   const PlanarSet& right = result.right;
@@ -419,7 +420,7 @@ Verdict verdict(PlanarSet computed, const Region& p, const Region& q, Boundary b
   if (given_normal == NormalForm(region) && same_features(sum, right)) return result;
 
   const Overlay overlay(sum, right);
-  append(result.reasons, face_reasons(overlay, placements, exceptional));
+  append(result.reasons, face_reasons(overlay, verdicts, exceptional));
   append(result.reasons, orientation_reasons(sum, overlay));
   append(result.reasons, unsimple_reasons(overlay));
   const bool same_chains = result.reasons.empty();
@@ -440,7 +441,7 @@ Verdict verdict(PlanarSet computed, const Region& p, const Region& q, Boundary b
   }
   if (!result.reasons.empty() && result.reasons.front().in_sum) {
     const Point& x = result.reasons.front().witness;
-    if (const std::optional<Point> common = placements.common_point_at(x))
+    if (const std::optional<Point> common = verdicts.common_point_at(x))
       result.addends = Addends{*common, x - *common};
   }
   return result;
@@ -451,10 +452,10 @@ Verdict verdict(PlanarSet computed, const Region& p, const Region& q, Boundary b
 std::string describe(ReasonKind kind) { return words_for(kind).name; }
 
 Verdict verify(const Region& p, const Region& q, Boundary boundary, const ClaimedSum& sum) {
-  const Placements placements(p, q);
+  const CollisionVerdicts verdicts(p, q);
   Exceptional exceptional(p, q);
-  return verdict(decided_sum(p, q, boundary, placements, exceptional), p, q, boundary, sum,
-                 placements, exceptional);
+  return verdict(decided_sum(p, q, boundary, verdicts, exceptional), p, q, boundary, sum, verdicts,
+                 exceptional);
 }
 
 Verdict verify(const Region& p, const Region& q, Boundary boundary, const PlanarSet& sum) {
@@ -463,7 +464,7 @@ Verdict verify(const Region& p, const Region& q, Boundary boundary, const Planar
 
 PlanarSet sum_by_definition(const Region& p, const Region& q, Boundary boundary) {
   Exceptional exceptional(p, q);
-  return decided_sum(p, q, boundary, Placements(p, q), exceptional);
+  return decided_sum(p, q, boundary, CollisionVerdicts(p, q), exceptional);
 }
 
 }  // namespace oplus

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "checked/verify/placements.hpp"
+#include "checked/verify/collision_verdicts.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -31,18 +31,20 @@ std::vector<Point> vertices(const Region& region, const std::vector<Segment>& ot
 
 }  // namespace
 
-Placements::Placements(const Region& p, const Region& q)
+CollisionVerdicts::CollisionVerdicts(const Region& p, const Region& q)
     : p_(p),
       minus_q_(reflected(q)),
       test_(hierarchy_collision(p, q)),
       cost_of_definition_((vertex_count(p) + vertex_count(q)) *
                           (vertex_count(p) + vertex_count(q))) {}
 
-Placements::~Placements() = default;
+CollisionVerdicts::~CollisionVerdicts() = default;
 
-bool Placements::interiors_meet_at(const Point& x) const { return test_->interiors_meet_at(x); }
+bool CollisionVerdicts::interiors_meet_at(const Point& x) const {
+  return test_->interiors_meet_at(x);
+}
 
-bool Placements::interiors_meet_by_definition_at(const Point& x) const {
+bool CollisionVerdicts::interiors_meet_by_definition_at(const Point& x) const {
   const bool meet = interiors_meet_at(x);
   if (spent_on_it_ + cost_of_definition_ > most_spent_on_definition) return meet;
   spent_on_it_ += cost_of_definition_;
@@ -51,7 +53,7 @@ bool Placements::interiors_meet_by_definition_at(const Point& x) const {
   return meet;
 }
 
-std::optional<Point> Placements::common_point_at(const Point& x) const {
+std::optional<Point> CollisionVerdicts::common_point_at(const Point& x) const {
   const Region placed = translated(minus_q_, x);
   PlanarSet chains;
   for (const Component& component : placed.components) {

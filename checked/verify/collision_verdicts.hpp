@@ -12,11 +12,11 @@
 namespace oplus {
 
 /// The collision test of two fixed regions P and Q, asked at many placements.
-class Placements {
+class CollisionVerdicts {
  public:
   /// Requires: p and q are valid (validity.hpp).
-  Placements(const Region& p, const Region& q);
-  ~Placements();
+  CollisionVerdicts(const Region& p, const Region& q);
+  ~CollisionVerdicts();
 
   /// Whether the interiors of P and -Q+x meet, so that x is in the open sum: by hierarchies
   /// (collision_test.hpp).

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "checked/collision/segment_tree.hpp"
+#include "checked/distance/nearest_points.hpp"
+#include "reference/definitions/region.hpp"
+
+namespace oplus {
+
+/// The shortest moves after which a region Q only touches a region P, from many places of Q.
+class WaysOut {
+ public:
+  /// `no_fit` is the no-fit polygon of the two (operations.hpp). Cost: O(n log n) for all their edges.
+  WaysOut(const Region& p, const Region& q, const PlanarSet& no_fit);
+
+  /// Of Q + x: to the point of the no-fit polygon's boundary, its dangling edges and isolated vertices that is nearest
+  /// to x. If x is not in the no-fit polygon, the squared depth is the squared distance of P and Q + x. Exact;
+  /// near-logarithmic by experience. Throws InvalidInput where there is no such point: the no-fit polygon is the plane.
+  Overlap from(const Vector& x) const;
+
+ private:
+  Point contact_at(const Vector& x) const;
+
+  SegmentTree p_, q_, boundary_;
+};
+
+}  // namespace oplus
