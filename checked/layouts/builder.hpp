@@ -16,17 +16,24 @@
 
 namespace oplus::layouts {
 
+/// A place in a text that starts at another one; column 0 stays.
+inline Position shifted(Position at, const Position& start) {
+  if (at.line == 1 && at.column != 0) at.column += start.column - 1;
+  at.line += start.line - 1;
+  return at;
+}
+
 /// Calls `read`; an InvalidInput that it throws names `what`, unless that is empty. Its place is one in a text that
 /// starts at `start`.
 template <typename Read>
-auto naming(const std::string& what, const Read& read, const Position& start = {}) {
+decltype(auto) naming(const std::string& what, const Read& read, const Position& start = {}) {
   try {
     return read();
   } catch (const InvalidInput& error) {
-    Place at = error.where();
-    if (at.line == 1 && at.column != 0) at.column += start.column - 1;
-    if (at.line != 0) at.line += start.line - 1;
-    throw InvalidInput(at, (what.empty() ? "" : what + ": ") + error.wrong(), error.expected());
+    const Place& here = error.where();
+    const Position at = here.line == 0 ? Position{0, 0} : shifted({here.line, here.column}, start);
+    throw InvalidInput({here.file, at.line, at.column},
+                       (what.empty() ? "" : what + ": ") + error.wrong(), error.expected());
   }
 }
 

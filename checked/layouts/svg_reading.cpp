@@ -52,6 +52,7 @@ struct Around {
   Role role = Role::part;
   std::string label = {};
   std::size_t uses = 0;  ///< how many elements use are around it
+  std::size_t line = 0;  ///< of the first of them
 };
 
 class SvgReader {
@@ -131,6 +132,7 @@ class SvgReader {
     if (++around.uses > deepest)
       refuse("elements that use each other, deeper than " + std::to_string(deepest) + " levels",
              "fewer");
+    if (around.uses == 1) around.line = document_.at(element).line;
     around.map = around.map * AffineMap{1, 0, 0, 1, {length(element, "x"), length(element, "y")}};
     read(*known->second, around);
   }
@@ -176,8 +178,11 @@ class SvgReader {
       Position start = document_.at(of, name == "path" ? "d" : "points");
       if (name == "rect") start = {};
       if (name == "polygon" || name == "polyline") --start.column;
-      return naming(
+      PlacedGeometry geometry = naming(
           "", [&] { return drawn(of); }, start);
+      for (PlacedChain& chain : geometry.chains)
+        for (Position& at : chain.places) at = shifted(at, start);
+      return geometry;
     };
     PlacedGeometry all = part(element);
     for (const Element* next = element.next_sibling();
@@ -224,8 +229,9 @@ class SvgReader {
                             "a part with area");
     switch (around.role) {
       case Role::part:
-        return builder_.place(around.label, document_.at(element).line, &original, original,
-                              around.map);
+        return builder_.place(around.label,
+                              around.uses > 0 ? around.line : document_.at(element).line, &original,
+                              original, around.map);
       case Role::container:
         if (sheet.container)
           builder_.input.refuse(document_.at(element), "a second container", "one for all parts");
