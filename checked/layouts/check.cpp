@@ -9,6 +9,7 @@
 #include "checked/collision/collision_test.hpp"
 #include "checked/collision/summand_boundary.hpp"
 #include "checked/distance/distance.hpp"
+#include "checked/distance/nearest_segments.hpp"
 #include "checked/operations/complement.hpp"
 #include "checked/operations/union_of.hpp"
 #include "checked/slide/parallel_for.hpp"
@@ -38,6 +39,9 @@ struct Body {
   const Shape& shape;
   Vector at;
   Box box;
+  std::optional<SegmentTree> moved;  ///< the boundary where it is, if distances are asked for
+
+  const SegmentTree& edges() const { return moved ? *moved : shape.boundary.pieces; }
 
   ExactBox exact_box() const {
     ExactBox result(shape.boundary.around[0].source + at);
@@ -47,7 +51,7 @@ struct Body {
 };
 
 Body body(const Shape& shape, const Vector& at) {
-  return {shape, at, box_of(translated(shape.boundary.around.certified(0), interval(at)))};
+  return {shape, at, box_of(translated(shape.boundary.around.certified(0), interval(at))), {}};
 }
 
 Region both(Region a, const Region& b) {
@@ -114,6 +118,14 @@ class SheetCheck {
                         [&](std::size_t i) { shapes_[i] = std::make_unique<Shape>(*regions[i]); });
     for (const PlacedPart& part : sheet_.parts)
       parts_.push_back(body(*shapes_[numbers.at(part.shape.get())], part.at));
+    if (sgn(rules_.spacing) == 0 && sgn(rules_.margin) == 0) return;
+    slide::parallel_for(parts_.size(), threads_, [&](std::size_t i) {
+      Body& part = parts_[i];
+      if (part.at == Vector{}) return;
+      std::vector<Segment> moved;
+      for (const Segment& e : edges(part.shape.region)) moved.push_back(translated(e, part.at));
+      part.moved.emplace(std::move(moved));
+    });
   }
 
   /// The box around all parts.
@@ -183,18 +195,19 @@ class SheetCheck {
     const Rational& gap = forbidden ? rules_.margin : rules_.spacing;
     const bool do_meet = interiors_meet(p.boundary, q.shape.boundary, q.at - p_at);
     if (!do_meet && sgn(gap) == 0) return;
+    if (!do_meet) {
+      const SegmentTree& of_p = forbidden ? p.boundary.pieces : parts_[*pair.other].edges();
+      NearestPoints nearest = nearest_points(of_p, q.edges());
+      if (nearest.squared_distance < gap * gap) fault(std::move(nearest));
+      return;
+    }
     const Region of_q = translated(q.shape.region, q.at);
     const Region of_p = forbidden ? forbidden->region : translated(p.region, p_at);
-    if (do_meet) {
-      std::optional<Overlap> way_out = way_out_of(of_p, of_q);
-      if (!way_out || way_out->squared_depth > rules_.tolerance * rules_.tolerance)
-        return fault(found(forbidden ? p.region : of_p, of_q, std::move(way_out)));
-      ++result.forgiven;
-      if (sgn(gap) == 0) return;
-    }
-    if (of_p.components.empty()) return;  // without a container and defects
-    NearestPoints nearest = distance(of_p, of_q);
-    if (nearest.squared_distance < gap * gap) fault(std::move(nearest));
+    std::optional<Overlap> way_out = way_out_of(of_p, of_q);
+    if (!way_out || way_out->squared_depth > rules_.tolerance * rules_.tolerance)
+      return fault(found(forbidden ? p.region : of_p, of_q, std::move(way_out)));
+    ++result.forgiven;
+    if (sgn(gap) > 0) fault(distance(of_p, of_q));
   }
 
   static std::optional<Overlap> way_out_of(const Region& p, const Region& q) {
