@@ -94,13 +94,14 @@ class SvgReader {
     if (is_container(element)) around.role = Role::container;
     if (document_.value(element, "id") == "quality_zones") around.role = Role::zone;
     if (name == "svg") refuse("an svg inside another one", "elements svg only around all others");
-    const bool is_shape =
-        name == "path" || name == "polygon" || name == "polyline" || name == "rect";
+    const bool is_shape = name == "path" || name == "polygon" || name == "rect";
     if (!is_shape && name != "g" && name != "a" && name != "use") {
       if (name == "circle" || name == "ellipse")
         refuse("the element " + std::string(name) + " is a curve",
                "straight segments: paths, polygons and rectangles");
-      lines_ += name == "line" ? 1 : 0;
+      if (name == "switch" || (name == "symbol" && around.uses > 0))
+        refuse("the element " + std::string(name), "g");
+      lines_ += name == "line" || name == "polyline" ? 1 : 0;
       return;  // what has no area, or is drawn only where it is used
     }
     if (const std::string_view text = document_.value(element, "transform"); !text.empty())
@@ -177,7 +178,7 @@ class SvgReader {
       const std::string_view name = local_name(of);
       Position start = document_.at(of, name == "path" ? "d" : "points");
       if (name == "rect") start = {};
-      if (name == "polygon" || name == "polyline") --start.column;
+      if (name == "polygon") --start.column;
       PlacedGeometry geometry = naming(
           "", [&] { return drawn(of); }, start);
       for (PlacedChain& chain : geometry.chains)
@@ -198,25 +199,8 @@ class SvgReader {
     return known->second = builder_.region(std::move(all));
   }
 
-  /// Whether a polyline ends where it starts.
-  bool is_closed(const Element& element) const {
-    const std::string path = "M" + std::string(document_.value(element, "points"));
-    return naming(
-        "",
-        [&] {
-          const PlacedGeometry drawn =
-              parse_svg_path({builder_.input.name, path}, Overlaps::allowed);
-          return !drawn.chains.empty() && !drawn.chains[0].is_open;
-        },
-        document_.at(element, "points"));
-  }
-
   void shape(const Element& element, const Around& around) {
     if (is_hole(element) && element.previous_sibling() != nullptr) return;
-    if (local_name(element) == "polyline" && !is_closed(element)) {
-      ++lines_;
-      return;
-    }
     Sheet& sheet = builder_.layout.sheets.back();
     const std::string what = around.role == Role::part
                                  ? "part " + std::to_string(sheet.parts.size() + 1)
