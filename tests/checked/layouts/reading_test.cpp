@@ -66,11 +66,11 @@ TEST(ReadingALayout, of_parts_and_placements) {
   };
   EXPECT_EQ(
       described(read(placed(R"~({"part": "a"}, {"part": "a", "at": ["1/3", 5], "rotation": 90},
-{"part": "a", "rotation": ["3/5", "4/5"]}, {"part": "a", "mirrored": true, "rotation": 180})~"))),
+{"part": "a", "rotation": ["3/5", "4/5"]}, {"part": "a", "mirrored": true, "rotation": 90})~"))),
       "[POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0))]\na:3 POLYGON ((0 0, 2 0, 2 1, 0 1, 0 0))\n"
       "a:3 POLYGON ((1/3 5, 1/3 7, -2/3 7, -2/3 5, 1/3 5))\n"
       "a:4 POLYGON ((0 0, 1.2 1.6, 0.4 2.2, -0.8 0.6, 0 0))\n"
-      "a:4 POLYGON ((0 0, 0 -1, 2 -1, 2 0, 0 0))");
+      "a:4 POLYGON ((0 0, -1 0, -1 -2, 0 -2, 0 0))");
   const Layout turned = read(placed(R"~({"part": "a", "rotation": 30})~"));
   EXPECT_EQ(
       wkt(*turned.sheets[0].parts[0].shape),
@@ -137,7 +137,9 @@ TEST(ReadingALayout, of_packingsolver) {
     return R"~({"bins": [{"copies": 1, "id": 0, "defects": [{"shape": )~" + triangle("4") +
            R"~(}], "items": [
 {"angle": 0.0, "id": 5, "item_shapes": [{"shape": )~" +
-           triangle(x) + R"~(}], "x": 0.0}], "shape": )~" + triangle("4") + "}]}";
+           triangle(x) + R"~(}], "x": 0.0}],
+"shape": )~" +
+           triangle("4") + "}]}";
   };
   EXPECT_EQ(described(read(bin("4.0"))),
             "bin 1[POLYGON ((0 0, 4 0, 0 4, 0 0)) - POLYGON ((0 0, 4 0, 0 4, 0 0)) 0]\n"
@@ -145,9 +147,13 @@ TEST(ReadingALayout, of_packingsolver) {
   expect_refusal(
       bin("4.5"),
       "in:2:114: bin 1: part 1: an element starts at (4, 0), and the one before it ends at (4.5, 0)");
+  std::string open = bin("4");
+  open.replace(open.rfind("\"xe\": 0"), 7, "\"xe\": 1");
+  expect_refusal(
+      open, "in:3:11: bin 1: an element starts at (0, 0), and the one before it ends at (1, 0)");
   std::string arc = bin("4");
   arc.replace(arc.rfind("LineSegment"), 11, "CircularArc");
-  expect_refusal(arc, "in:2:");
+  expect_refusal(arc, "in:3:");
 }
 
 TEST(ReadingALayout, of_svg) {
@@ -164,11 +170,11 @@ TEST(ReadingALayout, of_svg) {
             "item_0:5 POLYGON ((1 2, 3 2, 3 3, 1 2))");
   EXPECT_EQ(described(read(svg(R"~(<rect class="bin" width="9" height="8.5"/>
 <g transform="translate(1 2) rotate(90)"><polygon points="0,0 4,0 4,4 0,4"/><path class="x hole" d="M1 1 v1 h1 v-1 z"/></g>
-<svg:g xmlns:svg="s" transform="matrix(1 0 0 -1 0 0) scale(2) rotate(180 1 1)"><path id="p" d="M0 0 h1 v1z"/></svg:g>
+<svg:g xmlns:svg="s" transform="matrix(0 1 -1 0 0 0) scale(2) rotate(180 1 1)"><path id="p" d="M0 0 h1 v1z"/></svg:g>
 <path style="display: none" d="M0 0 h1 v1z"/><polyline points="0 0 1 1"/>)~"))),
             "[POLYGON ((0 0, 9 0, 9 8.5, 0 8.5, 0 0))]\n"
             ":3 POLYGON ((1 2, 1 6, -3 6, -3 2, 1 2), (0 3, -1 3, -1 4, 0 4, 0 3))\n"
-            "p:4 POLYGON ((4 -4, 2 -2, 2 -4, 4 -4))");
+            "p:4 POLYGON ((-4 4, -4 2, -2 2, -4 4))");
   const std::pair<std::string, std::string> refused[] = {
       {R"~(<path d="M0 0 L 1 1 1 0 0 1z"/>)~",
        "in:2:21: part 1: two edges of outer chain of component 1 cross"},
