@@ -134,7 +134,9 @@ TEST(ReadingALayout, of_packingsolver) {
            line("0", "4", "0", "0") + "]";
   };
   const auto bin = [&](const std::string& x) {
-    return R"~({"bins": [{"copies": 1, "id": 0, "defects": [{"shape": )~" + triangle("4") +
+    return R"~({
+"bins": [{"copies": 1, "id": 0, "defects": [{"shape": )~" +
+           triangle("4") +
            R"~(}], "items": [
 {"angle": 0.0, "id": 5, "item_shapes": [{"shape": )~" +
            triangle(x) + R"~(}], "x": 0.0}],
@@ -143,17 +145,17 @@ TEST(ReadingALayout, of_packingsolver) {
   };
   EXPECT_EQ(described(read(bin("4.0"))),
             "bin 1[POLYGON ((0 0, 4 0, 0 4, 0 0)) - POLYGON ((0 0, 4 0, 0 4, 0 0)) 0]\n"
-            "item 5:2 POLYGON ((0 0, 4 0, 0 4, 0 0))");
+            "item 5:3 POLYGON ((0 0, 4 0, 0 4, 0 0))");
   expect_refusal(
       bin("4.5"),
-      "in:2:114: bin 1: part 1: an element starts at (4, 0), and the one before it ends at (4.5, 0)");
+      "in:3:114: bin 1: part 1: an element starts at (4, 0), and the one before it ends at (4.5, 0)");
   std::string open = bin("4");
   open.replace(open.rfind("\"xe\": 0"), 7, "\"xe\": 1");
   expect_refusal(
-      open, "in:3:11: bin 1: an element starts at (0, 0), and the one before it ends at (1, 0)");
+      open, "in:4:11: bin 1: an element starts at (0, 0), and the one before it ends at (1, 0)");
   std::string arc = bin("4");
   arc.replace(arc.rfind("LineSegment"), 11, "CircularArc");
-  expect_refusal(arc, "in:3:");
+  expect_refusal(arc, "in:4:");
 }
 
 TEST(ReadingALayout, of_svg) {
