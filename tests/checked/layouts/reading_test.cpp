@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "reference/definitions/region.hpp"
+#include "reference/families/random.hpp"
 #include "reference/io/invalid_input.hpp"
 #include "reference/io/writing.hpp"
 
@@ -12,7 +13,16 @@ namespace {
 
 const Rational error(1, 1000);
 
-Layout read(const std::string& text) { return read_layout(text, "in", "", error); }
+/// What was read, for the last test.
+std::vector<std::string>& texts() {
+  static std::vector<std::string> all;
+  return all;
+}
+
+Layout read(const std::string& text) {
+  texts().push_back(text);
+  return read_layout(text, "in", "", error);
+}
 
 /// Container, defects and parts of each sheet.
 std::string described(const Layout& layout) {
@@ -204,6 +214,35 @@ TEST(ReadingALayout, of_svg) {
   for (int i = 0; i < 1000000; ++i) deep += "<g>";
   expect_refusal(svg(deep), "in:2:766: elements nested deeper than 256 levels");
   expect_refusal("<html/>", "in:1:1: markup without an element svg");
+}
+
+TEST(ReadingALayout, of_any_changed_text_ends_in_a_layout_or_a_line) {
+  Random random(1);
+  std::size_t refused = 0, layouts = 0;
+  const std::vector<std::string> originals = texts();
+  ASSERT_GT(originals.size(), 40U);
+  for (int change = 0; change < 5000; ++change) {
+    std::string text = originals[uniform_index(random, originals.size())];
+    if (text.empty() || text.size() > 2000) continue;
+    for (int i = uniform(random, 1, 3); i > 0; --i) {
+      const std::size_t at = uniform_index(random, text.size());
+      const std::size_t from = uniform_index(random, text.size());
+      const int length = uniform(random, 0, 12);
+      if (one_in(random, 2))
+        text.replace(at, 1, 1, "<>\"'/{}[]()0-.,eE&#\n"[uniform_index(random, 21)]);
+      else
+        text.insert(at, text.substr(from, static_cast<std::size_t>(length)));
+    }
+    try {
+      read_layout(text, "in", "", error);
+      ++layouts;
+    } catch (const InvalidInput& invalid) {
+      ++refused;
+      EXPECT_EQ(std::string(invalid.what()).find('\n'), std::string::npos) << text;
+    }
+  }
+  EXPECT_GT(refused, 1000U);
+  EXPECT_GT(layouts, 100U);
 }
 
 }  // namespace
