@@ -14,6 +14,7 @@
 #include "checked/cli/command_line/terminal.hpp"
 #include "checked/cli/input.hpp"
 #include "checked/cli/shared_options.hpp"
+#include "checked/cli/spacing.hpp"
 #include "checked/cli/usage_error.hpp"
 #include "reference/io/counted.hpp"
 #include "reference/io/invalid_input.hpp"
@@ -31,6 +32,7 @@ struct BatchOptions {
   std::optional<std::string> rotation_step;
   std::string angle_error = default_angle_error;
   std::string operation = "sum";
+  SpacingOptions spacing;
   Boundary boundary = Boundary::closed;
   Overlaps overlaps = Overlaps::refused;
   ResultForm form = ResultForm::wkt;
@@ -51,6 +53,8 @@ void require_consistent(const BatchOptions& options) {
     throw UsageError("expected either --rotations or --rotation-step");
   if (options.boundary == Boundary::open && options.operation != "sum")
     throw UsageError("--open is for --operation sum");
+  if (options.spacing.distance && !operation_called(options.operation).takes_spacing)
+    throw UsageError("--spacing is for --operation nfp and ifp");
   angle_error(options.angle_error);
   output_grid(options.rounding);
   if (options.form == ResultForm::area && (options.rounding.grid || options.rounding.side))
@@ -107,7 +111,7 @@ class Writer {
 
 Computation computation_of(const BatchOptions& options) {
   return {operation_called(options.operation, options.boundary), options.form,
-          output_grid(options.rounding), options.rounding.digits};
+          output_grid(options.rounding), options.rounding.digits, disc_of(options.spacing)};
 }
 
 Results results_of(const LineBatch& batch, const std::string& file, Overlaps overlaps,
@@ -126,7 +130,7 @@ Results results_of(const LineBatch& batch, const std::string& file, Overlaps ove
         beginning += id;
         line += id;
       }
-      computation.add(line, pair.p, pair.q);
+      computation.add(line, pair.p, computation.spaced_q(std::move(pair.q)));
     });
   });
   return results;
@@ -166,7 +170,7 @@ class PairsOfParts {
     tell_apart(q_, "q");
     for (const Part& part : q_)
       for (const PartRotation& rotation : rotations_)
-        turned_q_.push_back(rotation.turned(part.set));
+        turned_q_.push_back(computation_.spaced_q(rotation.turned(part.set)));
     if (!computation_.is_sum_of_prepared()) return;
     for (const Part& part : p_) prepared_p_.emplace_back(part.set.region);
     for (const ReadSet& set : turned_q_)
@@ -278,6 +282,7 @@ void add_batch(Program& program) {
           "--operation NAME", options.operation,
           "what to compute, by default sum: " + joined(operation_names(), std::identity(), ", "))
       .one_of(operation_names());
+  add_spacing(command, options.spacing);
   add_open(command, options.boundary, "sum the regions' interiors, as in oplus sum");
   add_union(command, options.overlaps, "each geometry");
   command.choice<ResultForm>(

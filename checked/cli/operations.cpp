@@ -7,6 +7,7 @@
 #include "checked/cli/input.hpp"
 #include "checked/cli/set_panel.hpp"
 #include "checked/cli/shared_options.hpp"
+#include "checked/cli/spacing.hpp"
 #include "checked/cli/usage_error.hpp"
 #include "checked/operations/complement.hpp"
 #include "reference/chains/region_of.hpp"
@@ -24,6 +25,7 @@ struct OperationOptions {
   std::string q;
   RegionOutput output;
   Overlaps overlaps = Overlaps::refused;
+  SpacingOptions spacing;
   std::string engine = engines_and_oracle().front().name;
   std::optional<unsigned> threads;
   std::optional<std::string> svg;
@@ -39,6 +41,7 @@ ExitCode operate(const OperationOptions& options) {
   require_one_standard_input({options.p, options.q});
   require_writable({options.output.path}, options.svg);
   const Format format = output_format(options.output);
+  const std::optional<Region> disc = disc_of(options.spacing);
   const Operation& operation = options.operation;
   ReadSet p;
   if (operation.takes_any_p)
@@ -55,7 +58,7 @@ ExitCode operate(const OperationOptions& options) {
              .progress = [&](std::size_t done, std::size_t total) { step.advance(done, total); }})
         .sum;
   };
-  const PlanarSet set = result_of(operation, p, q, sum);
+  const PlanarSet set = result_of(operation, p, disc ? spaced(q, *disc, sum) : q, sum);
   if (options.svg && (is_unbounded(p.region) || is_unbounded(q.region) || set.is_unbounded))
     throw UsageError("--svg is for bounded sets");
   if (operation.boundary == Boundary::open && !(is_region(p) && is_region(q)) &&
@@ -107,6 +110,7 @@ void add_operations(Program& program) {
         .required();
     add_output(command, options.output, "the result");
     add_union(command, options.overlaps, "P, and of Q");
+    if (operation.takes_spacing) add_spacing(command, options.spacing);
     command
         .option("--engine NAME", options.engine, "the engine that computes sums, as in oplus sum")
         .one_of(names_of(engines_and_oracle()));

@@ -25,8 +25,8 @@ const ProgramFrame frame = {
 
 void add_commands(Program& program) {
   for (const auto add :
-       {add_sum, add_compare, add_verify, add_certify, add_operations, add_complement, add_disc,
-        add_transform, add_layout, add_batch, add_draw, add_reflect, add_repair, add_gen})
+       {add_sum, add_compare, add_verify, add_certify, add_operations, add_complement, add_distance,
+        add_disc, add_transform, add_layout, add_batch, add_draw, add_reflect, add_repair, add_gen})
     add(program);
 }
 

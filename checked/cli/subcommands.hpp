@@ -19,6 +19,7 @@ void add_operations(Program& program);
 void add_complement(Program& program);
 void add_batch(Program& program);
 void add_disc(Program& program);
+void add_distance(Program& program);
 void add_transform(Program& program);
 
 }  // namespace oplus

@@ -26,15 +26,13 @@ int side(const Edge& e, const NearPoint& x) {
 }  // namespace
 
 PointLocation::PointLocation(const PlanarSet& open_set) : is_unbounded_(open_set.is_unbounded) {
-  const std::size_t dangling = open_set.dangling_edges.size();
   std::vector<Segment> segments = edges(open_set);
   edges_.reserve(segments.size());
-  for (std::size_t i = 0; i < segments.size(); ++i) {
-    const bool runs_right = segments[i].source < segments[i].target;
-    const bool is_dangling = i + dangling >= segments.size();
-    Segment& s = segments[i];
+  for (Segment& s : segments) {
+    // The set is to the left; around dangling edges, which run right, on both sides.
+    const bool runs_right = s.source < s.target;
     if (!runs_right) s = reversed(s);
-    edges_.push_back({interval(s), std::move(s), runs_right || is_dangling});
+    edges_.push_back({interval(s), std::move(s), runs_right});
   }
   SweptEdges swept;
   for (const Edge& e : edges_) swept.add(e.exact);

@@ -25,8 +25,8 @@ std::vector<Segment> boundary_of(const PlanarSet& set) {
 
 }  // namespace
 
-WaysOut::WaysOut(const Region& p, const Region& q, const PlanarSet& no_fit)
-    : p_(edges(p)), q_(edges(q)), boundary_(boundary_of(no_fit)) {}
+WaysOut::WaysOut(SegmentTree p, SegmentTree q, const PlanarSet& no_fit)
+    : p_(std::move(p)), q_(std::move(q)), boundary_(boundary_of(no_fit)) {}
 
 Overlap WaysOut::from(const Vector& x) const {
   if (boundary_.empty())
@@ -38,8 +38,10 @@ Overlap WaysOut::from(const Vector& x) const {
 
 /// The boundaries have a point in common wherever a region moved a little overlaps the other, and it does not.
 Point WaysOut::contact_at(const Vector& x) const {
+  const IntervalPoint way = interval(x);
   std::vector<Point> common;
   [[maybe_unused]] const bool touch = p_.visit_meeting(q_, x, [&](std::size_t i, std::size_t j) {
+    if (squared_distance(p_.certified(i), translated(q_.certified(j), way)).low > 0) return false;
     common = intersection(p_[i], {q_[j].source + x, q_[j].target + x});
     return !common.empty();
   });

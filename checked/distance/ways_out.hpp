@@ -3,15 +3,16 @@
 
 #include "checked/collision/segment_tree.hpp"
 #include "checked/distance/nearest_points.hpp"
-#include "reference/definitions/region.hpp"
+#include "reference/definitions/values.hpp"
 
 namespace oplus {
 
 /// The shortest moves after which a region Q only touches a region P, from many places of Q.
 class WaysOut {
  public:
-  /// `no_fit` is the no-fit polygon of the two (operations.hpp). Cost: O(n log n) for all their edges.
-  WaysOut(const Region& p, const Region& q, const PlanarSet& no_fit);
+  /// Takes the edges of both; `no_fit` is the no-fit polygon of the two (operations.hpp). Cost: O(n log n) for all
+  /// edges.
+  WaysOut(SegmentTree p, SegmentTree q, const PlanarSet& no_fit);
 
   /// Of Q + x: to the point of the no-fit polygon's boundary, its dangling edges and isolated vertices that is nearest
   /// to x. If x is not in the no-fit polygon, the squared depth is the squared distance of P and Q + x. Exact;

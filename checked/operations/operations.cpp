@@ -86,15 +86,15 @@ PlanarSet closed(const Region& p, const Region& q, const SumOf& sum) {
 const std::vector<Operation>& operations() {
   static const std::vector<Operation> all = {
       {"nfp", "the no-fit polygon: all x where Q, moved by x, overlaps P", Boundary::open, no_fit,
-       no_fit_of<PlanarSet>, true},
+       no_fit_of<PlanarSet>, true, true},
       {"ifp", "the inner-fit polygon: all x where Q, moved by x, is inside P", Boundary::closed,
-       inner_fit, inner_fit_of<PlanarSet>, false},
+       inner_fit, inner_fit_of<PlanarSet>, false, true},
       {"erode", "the erosion of P by Q: the inner-fit polygon without edges and points",
-       Boundary::closed, eroded, eroded_of<PlanarSet>, false},
+       Boundary::closed, eroded, eroded_of<PlanarSet>, false, false},
       {"open", "the opening: the union of all copies of Q, moved, inside P", Boundary::closed,
-       opened, opened_of<PlanarSet>, false},
+       opened, opened_of<PlanarSet>, false, false},
       {"close", "the closing: the erosion by Q of the sum of P and Q", Boundary::closed, closed,
-       closed_of<PlanarSet>, false}};
+       closed_of<PlanarSet>, false, false}};
   return all;
 }
 
@@ -110,13 +110,15 @@ const Operation& operation_called(const std::string& name, Boundary of_sum) {
                                        Boundary::closed,
                                        sum_of<Region, Boundary::closed>,
                                        sum_of<PlanarSet, Boundary::closed>,
-                                       true};
+                                       true,
+                                       false};
   static const Operation open_sum = {"sum",
                                      "all p + q, of inner points",
                                      Boundary::open,
                                      sum_of<Region, Boundary::open>,
                                      sum_of<PlanarSet, Boundary::open>,
-                                     true};
+                                     true,
+                                     false};
   if (name == "sum") return of_sum == Boundary::closed ? closed_sum : open_sum;
   const auto found = std::ranges::find(operations(), name, &Operation::name);
   if (found == operations().end()) throw std::invalid_argument("unknown operation " + name);

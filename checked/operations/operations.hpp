@@ -38,6 +38,7 @@ struct Operation {
   /// takes_any_p, Q always. The definitions stay the same, but that sum and nfp are sums of sets.
   PlanarSet (*compute_of_sets)(const PlanarSet& p, const PlanarSet& q, const SumOf& sum);
   bool takes_any_p;
+  bool takes_spacing;  ///< whether it means something to grow Q first: results are places of Q
 };
 
 /// Those that have a command each: nfp, ifp, erode, open, close.

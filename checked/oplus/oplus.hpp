@@ -19,6 +19,7 @@
 #include <utility>
 #include <vector>
 
+#include "checked/distance/nearest_points.hpp"
 #include "checked/operations/affine_map.hpp"
 #include "checked/operations/disc_side.hpp"
 #include "checked/oplus/version.hpp"
@@ -443,6 +444,42 @@ bool contains(const ValidRegion& region, const Coordinates& point);
 
 /// Whether a point belongs to the sum; its boundary does iff the sum is closed. Cost: the size.
 bool contains(const ValidSet& sum, const Coordinates& point);
+
+// Distances (docs/distance.md). Either region may be unbounded. All is exact.
+
+/// Returns the squared distance of two regions, and a pair of points that are as near as that. Throws
+/// InvalidInput where one of them is empty. Cost: n log n + m log m, by experience; nm at worst.
+NearestPoints distance(const ValidRegion& p, const ValidRegion& q);
+
+/// Returns a shortest move of Q after which it overlaps P no longer, exact fits included; none where it does not
+/// overlap P. Throws InvalidInput where it overlaps P wherever it is. Cost: that of nfp(p, q).
+std::optional<Overlap> depth(const ValidRegion& p, const ValidRegion& q);
+
+/// A pair of regions for many places of Q: their no-fit polygon is computed once. Copies share it. Q + x is Q moved
+/// by x. Cost, for k edges of the no-fit polygon: k log k, and as much memory, beside that of nfp(p, q).
+///
+/// Example: Placements at(bin, part); then at.locate({x, y}) == Location::inside says that they overlap.
+class Placements {
+ public:
+  /// Options as for nfp. Throws InvalidInput where one of the regions is empty.
+  Placements(const ValidRegion& p, const ValidRegion& q, const SumOptions& options = {});
+
+  const ValidSet& no_fit() const;  ///< Returns nfp(p, q).
+
+  /// Returns inside where Q + x overlaps P, boundary where the two only touch, outside where they are apart.
+  /// Cost: log k.
+  Location locate(const Coordinates& x) const;
+
+  /// Returns depth of P and Q + x. Cost: log k, by experience.
+  std::optional<Overlap> depth(const Coordinates& x) const;
+
+  /// Returns distance of P and Q + x. Cost: log k, by experience; where they overlap, that of distance.
+  NearestPoints distance(const Coordinates& x) const;
+
+ private:
+  struct State;
+  std::shared_ptr<const State> state_;
+};
 
 /// Decides whether a sum from anywhere is P ⊕ Q, by the definitions and by no engine
 /// (docs/verify.md). Returns reasons with a point each, or none. Nothing is required of the given

@@ -124,6 +124,9 @@ std::vector<BenchEngine> convolution_engines();
 /// about edges, one per edge of the arrangement.
 std::vector<BenchEngine> hole_test_engines();
 
+/// Distances, depths, and places of one pair.
+std::vector<BenchEngine> distance_engines();
+
 /// To test what measures them: one crashes, one never ends, one moves a vertex of the sum.
 std::vector<BenchEngine> engines_at_fault();
 

@@ -7,7 +7,7 @@ const std::vector<BenchEngine>& bench_engines() {
   static const std::vector<BenchEngine> all = [] {
     std::vector<BenchEngine> made;
     for (auto* list : {own_engines, peer_engines, command_engines, convolution_engines,
-                       hole_test_engines, engines_at_fault})
+                       hole_test_engines, distance_engines, engines_at_fault})
       for (BenchEngine& engine : list()) made.push_back(std::move(engine));
     return made;
   }();

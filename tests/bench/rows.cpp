@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/bench/row.hpp"
 
+#include <fstream>
 #include <tuple>
 #include <utility>
 
@@ -16,6 +17,7 @@ namespace oplus {
 namespace {
 
 constexpr std::size_t small_pairs = 2000;
+constexpr std::size_t distance_pairs = 200;
 
 /// A kind of polygon: its part of a row's name, and its description.
 struct Kind {
@@ -159,6 +161,63 @@ Row convolution_row(const Kind& kind, std::size_t n) {
   return row;
 }
 
+/// Many pairs: Q as it is made, or moved away.
+Row distance_row(const std::string& name, const std::string& what, const Rational& away,
+                 const std::function<Summands(std::uint64_t seed)>& make) {
+  const std::string place = sgn(away) > 0 ? "apart" : "overlapping";
+  return {.name = "distances_" + name + "_" + place,
+          .what = what + ", " + place,
+          .subject = "distances",
+          .pairs = distance_pairs,
+          .kind = "distances",
+          .engines = {"distance", "depth"},
+          .make = [=] {
+            std::vector<Summands> pairs;
+            for (std::uint64_t seed = 1; seed <= distance_pairs; ++seed) {
+              auto [p, q] = make(seed);
+              const Rational by = away * (100 + seed % 50) / 100;
+              pairs.push_back({std::move(p), translated(std::move(q), {by, by / 3})});
+            }
+            return pairs;
+          }};
+}
+
+/// Two parts of a nesting instance, which has one a line.
+Summands two_parts(const std::string& instance, std::uint64_t seed) {
+  std::ifstream file(data_folder() / "esicup" / (instance + ".wkt"));
+  std::vector<Region> parts;
+  for (std::string line; std::getline(file, line);)
+    parts.push_back(read_region(line, instance).region);
+  const std::size_t n = parts.size();
+  return {parts[seed % n], parts[seed / n % n]};
+}
+
+Rows distance_rows() {
+  Rows rows;
+  const auto add = [&](const std::string& name, const std::string& what, const Rational& away,
+                       const auto& make) {
+    rows.push_back(distance_row(name, what, away, make));
+    rows.push_back(distance_row(name, what, 0, make));
+  };
+  for (const Kind& kind : {convex, simple, star})
+    add(kind.name + "_50", "two " + kind.words + "s of 50 vertices", 3'000'000,
+        [make = kind.make](std::uint64_t seed) {
+          Random random(seed);
+          Region p = make(random, 50);
+          return Summands{std::move(p), make(random, 50)};
+        });
+  add("swim", "parts of swim, 11 to 53 vertices", 8000,
+      [](std::uint64_t seed) { return two_parts("swim", seed); });
+  for (Row row : {pair_of("", convex, 250, convex, 250), pair_of("", star, 300, star, 100),
+                  pair_of("", coast, 1000, convex, 20)}) {
+    row.name = "places_" + row.name;
+    row.subject = row.kind = "places";
+    row.engines = {"placements", "scan"};
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
 /// The engines for a row.
 std::vector<std::string> engines_for(const Row& row) {
   if (row.subject == "convolution") return {"traced", "without-points", "naive"};
@@ -246,6 +305,7 @@ Rows benchmark_rows() {
   for (const Kind& kind : {convex, star})
     add({50, 100, 200, 400}, [&](std::size_t n) { return convolution_row(kind, n); });
   for (Row& row : made) row.engines = engines_for(row);
+  for (Row& row : distance_rows()) made.push_back(std::move(row));
   return made;
 }
 

@@ -19,7 +19,7 @@ from pathlib import Path
 from measuring import (PROGRAM, REPETITIONS, Engine, Measurement, Program, Row, UsageError, instead_of_number, markdown,
                        measure, plain, report, run, setting, table_of, three_digits)
 
-SUBJECTS = ("sums", "growth", "commands", "certificates", "proved", "convolution")  # the sections of the page
+SUBJECTS = ("sums", "growth", "commands", "certificates", "proved", "distances", "places", "convolution")  # the sections of the page
 TEMPLATE = Path(__file__).parent / "pages/benchmarks.md"
 
 
@@ -191,7 +191,13 @@ def goals_of(run_report):
         no_more(5, "the proved program: stars of 60 and 60 in at most 5 s", named("proved_star_60_star_60"),
                 "oplus-proved.seconds"),
         at_least(1, "the proved program: stars of 100 and 100 at least as fast as CGAL's full convolution",
-                 *least_ratio(named("proved_star_100_star_100"), limit, "cgal-full", "oplus-proved"))]
+                 *least_ratio(named("proved_star_100_star_100"), limit, "cgal-full", "oplus-proved")),
+        no_more(500, "distances: at most 500 µs a pair", run_report.of("distances"),
+                "distance.seconds/distance.pairs", 1e6),
+        no_more(500, "depths of parts of swim: at most 500 µs a pair", named("distances_swim_overlapping"),
+                "depth.seconds/depth.pairs", 1e6),
+        no_more(1000, "places: at most 1,000 ns each", run_report.of("places"),
+                "placements.seconds/placements.places", 1e9)]
 
 
 # The page.
@@ -266,6 +272,7 @@ def page(run_report, template):
               "growth": (where_done(run_report.of("growth"), "slide"), ()),
               "commands": (run_report.of("commands"), ()), "certificates": (run_report.of("certificates"), ()),
               "proved": (run_report.of("proved"), ()),
+              "distances": (run_report.of("distances"), ()), "places": (run_report.of("places"), ()),
               "threads": (where_done(rows, "slide", "slide2"), ()),
               "convolutions": (where_done(rows, "traced", "naive"), ())}
     with_tables = re.sub(r"\{\{#(\w+)\}\}\n(.*?)\{\{/\1\}\}",

@@ -94,7 +94,7 @@ class Goals(unittest.TestCase):
 
     def test_without_a_run(self):
         goals = table.goals_of(run_of())
-        self.assertEqual(len(goals), 24)
+        self.assertEqual(len(goals), 27)
         self.assertEqual({cells[2] for cells in goals}, {"not measured"})
 
     def test_at_their_number(self):

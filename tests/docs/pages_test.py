@@ -68,7 +68,7 @@ class Pages(unittest.TestCase):
     def test_five_minutes_draw_readmes_picture(self):
         with tempfile.TemporaryDirectory() as folder:
             commands = list(self.run_commands(PAGES["command_line.md"], folder))
-            self.assertEqual(len(commands), 14)
+            self.assertEqual(len(commands), 16)
             content = lambda name: (Path(folder) / name).read_bytes()
             self.assertEqual(content("same.wkt"), content("sum.wkt"))
             self.assertTrue(content("picture.svg") == (DOCS / "pictures/room_and_diamond.svg").read_bytes(),

@@ -19,7 +19,7 @@ BINDINGS = {
     "checked/bindings/python": ("oplus", "checked/slide/parallel_for.hpp", "reference/io/counted.hpp",
                                 "checked/oplus/internal/named_operations.hpp"),
     "checked/bindings/page": ("reference/definitions", "reference/chains", "reference/io", "checked/certificates",
-                              "checked/collision", "checked/cycles", "checked/slide", "checked/verify"),
+                              "checked/collision", "checked/cycles", "checked/distance", "checked/slide", "checked/verify"),
 }
 OURS = ("reference", "checked", "properties", "tests", "docs", "oplus")
 

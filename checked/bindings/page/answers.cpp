@@ -15,6 +15,7 @@
 #include "checked/certificates/certificate.hpp"
 #include "checked/collision/collision_test.hpp"
 #include "checked/cycles/convolution_cycles.hpp"
+#include "checked/distance/ways_out.hpp"
 #include "checked/slide/slide.hpp"
 #include "checked/verify/verdict_text.hpp"
 #include "checked/verify/verify.hpp"
@@ -337,7 +338,8 @@ void put(Answer& answer, const ConvolutionCycles& traced) {
 }
 
 void put_placement(Answer& answer, const Region& p, const Region& q, const Point& x,
-                   const PlanarSet& sum, const ConvolutionCycles& traced) {
+                   const PlanarSet& sum, const PlanarSet& open_sum,
+                   const ConvolutionCycles& traced) {
   const std::vector<Segment> convolution = segments(full_convolution(traced));
   const Location location = locate(x, region_of(sum));
   answer.key("placement");
@@ -350,6 +352,11 @@ void put_placement(Answer& answer, const Region& p, const Region& q, const Point
                               : location == Location::boundary ? "on the boundary of"
                                                                : "outside");
     answer.member("meet", hierarchy_collision(p, q)->interiors_meet_at(x));
+    if (open_sum.outer.empty()) return;
+    const Overlap nearest = WaysOut(edges(p), edges(reflected(q)), open_sum).from(x);
+    answer.member("move", to_string(nearest.move));
+    answer.member("squared", to_string(nearest.squared_depth));
+    answer.member("contact", to_string(nearest.contact));
   });
 }
 
@@ -421,7 +428,7 @@ void put_all(Answer& answer, const JsonValue& request) {
   const ConvolutionCycles traced = convolution_cycles(p.region, q.region);
   put(answer, sum);
   put(answer, traced);
-  put_placement(answer, p.region, q.region, x, sum.set, traced);
+  put_placement(answer, p.region, q.region, x, sum.set, sum_of(Boundary::open), traced);
   if (flag(request, "certificate"))
     put_certificate(answer, p.region, q.region,
                     boundary == Boundary::closed ? sum.set : sum_of(Boundary::closed));

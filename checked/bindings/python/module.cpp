@@ -27,12 +27,6 @@ ValidSet planar_set_of(const Set& set) {
   return std::get<PreparedRegion>(set).region();
 }
 
-/// The options, so that Ctrl-C ends the computation.
-SumOptions interruptible(SumOptions options) {
-  options.progress = [check = Interruptible()](auto...) mutable { check(); };
-  return options;
-}
-
 ValidSet minkowski_sum_of(py::handle p_value, py::handle q_value, const std::string& boundary,
                           long long threads) {
   const SumOptions options =
@@ -390,5 +384,6 @@ PYBIND11_MODULE(_oplus, m) {
   python::define_results(m);
   python::define_operations(m);
   python::define_batch(m);
+  python::define_distances(m);
   python::define_others(m);
 }

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <chrono>
 #include <memory>
+#include <oplus/oplus.hpp>
 #include <thread>
 
 /// @file
@@ -56,5 +57,11 @@ class Interruptible {
   std::shared_ptr<std::atomic<std::chrono::steady_clock::rep>> next_ =
       std::make_shared<std::atomic<std::chrono::steady_clock::rep>>();
 };
+
+/// The options, so that Ctrl-C ends the computation.
+inline SumOptions interruptible(SumOptions options) {
+  options.progress = [check = Interruptible()](auto...) mutable { check(); };
+  return options;
+}
 
 }  // namespace oplus::python

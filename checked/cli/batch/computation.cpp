@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "checked/cli/input.hpp"
+#include "checked/cli/spacing.hpp"
 #include "checked/cli/usage_error.hpp"
 #include "checked/operations/complement.hpp"
 #include "checked/rounding/rounding.hpp"
@@ -26,6 +27,10 @@ PlanarSet sum_of_regions(const Region& p, const Region& q, Boundary boundary) {
 }
 
 }  // namespace
+
+ReadSet Computation::spaced_q(ReadSet q) const {
+  return disc ? spaced(q, *disc, sum_of_regions) : std::move(q);
+}
 
 bool Computation::is_sum_of_prepared() const {
   return operation.name == "sum" || operation.name == no_fit_name;

@@ -24,8 +24,12 @@ struct Computation {
   ResultForm form = ResultForm::wkt;
   std::optional<OutputGrid> grid = {};  ///< of results; they are exact if empty
   std::optional<int> digits = {};       ///< of areas; they are exact if empty
+  std::optional<Region> disc = {};      ///< of Q's spacing (spacing.hpp)
 
-  /// Adds the result of a pair to a line. Throws UsageError where P must be a region, and is not.
+  /// Q, grown by the disc if there is one.
+  ReadSet spaced_q(ReadSet q) const;
+
+  /// Adds the result of a pair, the second one spaced_q(Q), to a line. Throws UsageError where P must be a region, and is not.
   void add(std::string& line, const ReadSet& p, const ReadSet& q) const;
 
   /// Whether it is one sum, of P and of second_summand(Q): then both may be prepared, if they are regions.

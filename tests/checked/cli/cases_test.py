@@ -6,6 +6,7 @@ import re
 import subprocess
 import sys
 import tempfile
+from fractions import Fraction
 from pathlib import Path
 
 CASES = json.loads((Path(__file__).parents[2] / "corpus/cases.json").read_text(encoding="utf-8"))
@@ -61,6 +62,11 @@ class Program:
         if operation == "verify":
             answer = json.loads(self.run("verify", "p", "q", "s", "--json", *(["--open"] if "open" in case else [])))
             return {"reasons": [f"{reason['kind']}: {reason['detail']}" for reason in answer["reasons"]]}
+        if operation in ("distance", "depth"):
+            answer = json.loads(self.run(operation, "p", "q", "--json"))
+            points = answer.get("move" if operation == "depth" else "on_p", []) + answer.get("contact" if operation == "depth" else "on_q", [])
+            numbers = [str(Fraction(text)) for text in [answer[f"squared_{operation}"], *points]] if points else []
+            return {"answer": numbers[:len(case["answer"])]}
         if "complement is" in case:
             (self.folder / "outside").write_text(self.result({**case, "format": "dat"}, operation), encoding="utf-8")
             return {"complement is": self.run("complement", "outside").rstrip("\n")}
@@ -83,7 +89,7 @@ def differences(program, folder, case, operation):
         found = Program(program, folder).found(case, operation)
     except Refused as refused:
         found = {"refused": str(refused)}
-    expected = {name: case[name] for name in ("is", "complement is", "reasons", "mends", "notes", "refused") if name in case}
+    expected = {name: case[name] for name in ("is", "complement is", "reasons", "mends", "notes", "refused", "answer") if name in case}
     return [] if found == expected else [f"{case['name']}, {operation}: expected {expected}\n  found {found}"]
 
 

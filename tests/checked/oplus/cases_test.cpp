@@ -42,6 +42,15 @@ class Case {
       }
       if (operation == "verify") return of_verdict();
       if (operation == "repair") return of_repair();
+      if (operation == "distance") {
+        const auto [squared, on_p, on_q] = distance(region("p"), region("q"));
+        return of_answer(squared, {on_p, on_q});
+      }
+      if (operation == "depth") {
+        const std::optional<Overlap> overlap = depth(region("p"), region("q"));
+        if (!overlap) return {{"answer", json::array()}};
+        return of_answer(overlap->squared_depth, {overlap->move, overlap->contact});
+      }
     } catch (const InvalidInput& error) {
       return {{"refused", std::regex_replace(error.what(), std::regex("^text:"), "file:")}};
     }
@@ -114,6 +123,15 @@ class Case {
     return {{"is", to_wkt(result.region)}, {"mends", mends}};
   }
 
+  /// As many numbers as the case has.
+  json of_answer(const Rational& squared, const std::vector<Point>& points) const {
+    json numbers = {squared.get_str()};
+    for (const Point& p : points)
+      for (const Rational* coordinate : {&p.x, &p.y}) numbers.push_back(coordinate->get_str());
+    while (numbers.size() > case_.at("answer").size()) numbers.erase(numbers.size() - 1);
+    return {{"answer", numbers}};
+  }
+
   const json& case_;
 };
 
@@ -123,7 +141,7 @@ TEST(Cases, give_what_is_expected) {
   int count = 0;
   for (const json& one : all.at("cases")) {
     json expected;
-    for (const char* name : {"is", "complement is", "refused", "reasons", "mends"})
+    for (const char* name : {"is", "complement is", "refused", "reasons", "mends", "answer"})
       if (one.contains(name)) expected[name] = one[name];
     for (const std::string operation : one.at("run")) {
       const json& layers = one.value("layers", all.at("layers").at(operation));

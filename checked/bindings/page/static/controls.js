@@ -181,7 +181,9 @@ function tell() {
     + `Convolution: ${segments} segments, ${reduced} of them reduced.`;
   $("placement").textContent = `x = (${valid.x.join(", ")}) is ${placement.location} the sum. The interiors of P and −Q + x `
     + `${placement.meet ? "meet" : "do not meet"}.\nWinding number ${placement.winding}, tangent count ${placement.tangents}`
-    + (placement.on_convolution ? ", both on the ray to the right: x is on the convolution." : ".");
+    + (placement.on_convolution ? ", both on the ray to the right: x is on the convolution." : ".")
+    + (placement.move ? `\nMoved by ${placement.move}, whose squared length is ${placement.squared}, they only touch, in `
+      + `${placement.contact}.` : "");
   const options = cycles.map((cycle, i) => new Option(`${i + 1} of ${cycles.length}: ${cycle.length} segments`, i));
   if ([...$("cycle").options].map((o) => o.text).join() !== options.map((o) => o.text).join())
     $("cycle").replaceChildren(...options);

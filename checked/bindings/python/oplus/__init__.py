@@ -10,15 +10,15 @@ POLYGON ((0 0, 3 0, 3 1, 1 3, 0 3, 0 0))
 """
 
 from . import _oplus
-from ._oplus import (Arrays, InvalidInput, PlanarSet, Reason, Region, Rounded, Verdict, batch,
-                     certify, close, complement, disc, erode, from_arrays, ifp, minkowski_sum, nfp,
+from ._oplus import (Arrays, InvalidInput, Placements, PlanarSet, Reason, Region, Rounded, Verdict, batch,
+                     certify, close, complement, depth, disc, distance, erode, from_arrays, ifp, minkowski_sum, nfp,
                      open, read_file, read_set_file, repair, rotation, rounded, to_arrays, verify)
 
-__all__ = ["Arrays", "InvalidInput", "PlanarSet", "Reason", "Region", "Rounded", "Verdict",
-           "batch", "certify", "close", "complement", "disc", "erode", "from_arrays", "ifp",
+__all__ = ["Arrays", "InvalidInput", "Placements", "PlanarSet", "Reason", "Region", "Rounded", "Verdict",
+           "batch", "certify", "close", "complement", "depth", "disc", "distance", "erode", "from_arrays", "ifp",
            "minkowski_sum", "nfp", "open", "read_file", "read_set_file", "repair", "rotation", "rounded", "to_arrays", "verify"]
 __version__ = _oplus.__version__
 
-for _class in (PlanarSet, Reason, Region, Rounded, Verdict):
+for _class in (Placements, PlanarSet, Reason, Region, Rounded, Verdict):
     _class.__module__ = "oplus"
 del _class

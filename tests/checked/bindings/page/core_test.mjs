@@ -109,6 +109,10 @@ for (const pair of pairs.filter(isSmall)) {
 assert(places.has(true) && places.has(false), "x is always inside, or always outside");
 const corner = ask({p: "POLYGON((0 0,4 0,0 4,0 0))", q: "POLYGON((0 0,2 0,0 2,0 0))", x: ["0", "3"]}).placement;
 assert.deepEqual([corner.location, corner.meet, corner.on_convolution], ["on the boundary of", false, true]);
+assert.deepEqual([corner.move, corner.squared], ["(0, 0)", "0"]);
+assert.equal(ask({p: "POLYGON EMPTY", q: "POLYGON((0 0,2 0,0 2,0 0))"}).placement.move, undefined);
+const across = ask({p: "POLYGON((0 0,4 0,4 4,0 4,0 0))", q: "POLYGON((0 0,1 1.5,-1 1.5,0 0))", x: ["2", "1/2"]}).placement;
+assert.deepEqual([across.move, across.squared, across.contact], ["(0, -0.5)", "0.25", "(2, 0)"]);
 
 const square = "POLYGON((0 0,4 0,4 4,0 4,0 0))";
 const {layers, cases} = JSON.parse(readFileSync(casesFile, "utf8"));
