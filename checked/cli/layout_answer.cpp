@@ -65,14 +65,10 @@ std::string line(const Sheet& sheet, const LayoutFault& fault) {
          (fault.other ? " only touches" : " is inside");
 }
 
-std::size_t count(const Verdicts& verdicts, std::size_t (*of)(const SheetVerdict&)) {
-  std::size_t all = 0;
-  for (const SheetVerdict& verdict : verdicts) all += of(verdict);
-  return all;
-}
-
 std::size_t forgiven(const Verdicts& verdicts) {
-  return count(verdicts, [](const SheetVerdict& v) { return v.forgiven; });
+  std::size_t all = 0;
+  for (const SheetVerdict& verdict : verdicts) all += verdict.forgiven;
+  return all;
 }
 
 Json json_of(const LayoutFault& fault) {
@@ -102,7 +98,8 @@ bool is_right(const Verdicts& verdicts) {
 }
 
 std::string text_answer(const Layout& layout, const Verdicts& verdicts) {
-  const std::size_t wrong = count(verdicts, [](const SheetVerdict& v) { return v.faults.size(); });
+  std::size_t wrong = 0;
+  for (const SheetVerdict& verdict : verdicts) wrong += verdict.faults.size();
   std::string text = wrong == 0 ? painted(Paint::good, "right", std::cout) + "\n"
                                 : painted(Paint::bad, "wrong", std::cout) + ": " +
                                       counted(wrong, "fault", "faults") + "\n";

@@ -45,11 +45,9 @@ bool is_hole(const Element& element) {
   return has_word(SvgDocument::value(element, "class"), "hole");
 }
 
-enum class Role { part, container, zone };
-
 struct Around {
   AffineMap map = {};
-  Role role = Role::part;
+  bool is_container = false;
   std::string label = {};
   std::size_t uses = 0;  ///< how many elements use are around it
   std::size_t line = 0;  ///< of the first of them
@@ -61,15 +59,10 @@ class SvgReader {
 
   void read() {
     children(document_.root(), {});
-    const auto note = [&](std::size_t count, const std::string& one, const std::string& many,
-                          const std::string& why) {
-      if (count > 0)
-        builder_.layout.notes.push_back(one_line(builder_.input.name) + ": " +
-                                        counted(count, one, many) + why);
-    };
-    note(lines_, "line was", "lines were", " left out: they have no area");
-    note(zones_, "quality zone was", "quality zones were",
-         " left out: an SVG file does not say which part needs which quality");
+    if (lines_ > 0)
+      builder_.layout.notes.push_back(one_line(builder_.input.name) + ": " +
+                                      counted(lines_, "line was", "lines were") +
+                                      " left out: they have no area");
   }
 
  private:
@@ -91,8 +84,10 @@ class SvgReader {
     const std::string_view name = local_name(element);
     if (is_hidden(element)) return;
     if (const std::string_view id = document_.value(element, "id"); !id.empty()) around.label = id;
-    if (is_container(element)) around.role = Role::container;
-    if (document_.value(element, "id") == "quality_zones") around.role = Role::zone;
+    around.is_container = around.is_container || is_container(element);
+    if (around.label == "quality_zones" && element.first_node() != nullptr)
+      refuse("quality zones",
+             "a layout without them, or JSON, which says which part needs which quality");
     if (name == "svg") refuse("an svg inside another one", "elements svg only around all others");
     const bool is_shape = name == "path" || name == "polygon" || name == "rect";
     if (!is_shape && name != "g" && name != "a" && name != "use") {
@@ -202,38 +197,25 @@ class SvgReader {
   void shape(const Element& element, const Around& around) {
     if (is_hole(element) && element.previous_sibling() != nullptr) return;
     Sheet& sheet = builder_.layout.sheets.back();
-    const std::string what = around.role == Role::part
-                                 ? "part " + std::to_string(sheet.parts.size() + 1)
-                             : around.role == Role::zone ? "quality zone"
-                                                         : "container";
+    const std::string what =
+        around.is_container ? "container" : "part " + std::to_string(sheet.parts.size() + 1);
     const Region& original = naming(what, [&]() -> const Region& { return region(element); });
     if (original.components.empty()) return;
     if (around.map.determinant() == 0)
       builder_.input.refuse(document_.at(element), what + " is flat after its transform",
                             "a part with area");
-    switch (around.role) {
-      case Role::part:
-        return builder_.place(around.label,
-                              around.uses > 0 ? around.line : document_.at(element).line, &original,
-                              original, around.map);
-      case Role::container:
-        if (sheet.container)
-          builder_.input.refuse(document_.at(element), "a second container", "one for all parts");
-        sheet.container = image(around.map, original);
-        return;
-      case Role::zone:
-        const Element* title = element.first_node("title");
-        if (title != nullptr &&
-            std::string_view(title->value(), title->value_size()).ends_with("q: 0"))
-          sheet.defects.push_back({image(around.map, original)});
-        else
-          ++zones_;
-    }
+    if (!around.is_container)
+      return builder_.place(around.label,
+                            around.uses > 0 ? around.line : document_.at(element).line, &original,
+                            original, around.map);
+    if (sheet.container)
+      builder_.input.refuse(document_.at(element), "a second container", "one for all parts");
+    sheet.container = image(around.map, original);
   }
 
   Builder& builder_;
   SvgDocument document_;
-  std::size_t elements_ = 0, lines_ = 0, zones_ = 0;
+  std::size_t elements_ = 0, lines_ = 0;
   std::map<std::string, const Element*> used_;
   std::map<const Element*, Region> regions_;
 };

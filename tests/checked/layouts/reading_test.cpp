@@ -200,6 +200,7 @@ TEST(ReadingALayout, of_svg) {
       {R"~(<rect width="2cm" height="1"/>)~", "in:2:14: part 1: width: "},
       {R"~(<use href="#none"/>)~", "in:2:12: there is no part 'none'"},
       {R"~(<use href="other.svg"/>)~", "in:2:12: the reference 'other.svg'"},
+      {R"~(<g id="quality_zones"><path d=""/></g>)~", "in:2:2: quality zones"},
       {R"~(<g id="a"><use href="#a"/></g>)~", "in:2:22: elements that use each other"},
       {R"~(<g transform="rotate(x)"/>)~", "in:2:22: a number of rotate: "},
       {R"~(<g transform="skewX(10)"/>)~", "in:2:15: 'skewX' of 1 numbers"},
