@@ -57,7 +57,10 @@ class Query {
     return std::nullopt;
   }
 
-  Segment piece_of_q(std::size_t j) const { return translated(minus_q_.pieces[j], x_); }
+  Segment piece_of_q(std::size_t j) const {
+    const Segment& s = minus_q_.pieces[j];
+    return is_moved_ ? translated(s, x_) : s;
+  }
 
   /// A pair that meets in a point, or at an end of an overlap.
   struct Contact {
@@ -113,6 +116,7 @@ class Query {
   const SummandBoundary& minus_q_;
   const Point& x_;
   const IntervalPoint by_;
+  const bool is_moved_ = x_ != Point{};
   std::vector<Contact> contacts_;
 };
 
