@@ -17,8 +17,8 @@ const ProgramFrame frame = {
     "  oplus sum p.wkt q.wkt --open -o sum.wkt --svg sum.svg\n"
     "\n"
     "Exit codes:\n"
-    "  0  done; of compare: equal; of verify and certify: it is the sum\n"
-    "  1  of compare: not equal; of verify and certify: it is not the sum\n"
+    "  0  done; of compare: equal; of verify and certify: it is the sum; of layout: it is right\n"
+    "  1  of compare: not equal; of verify and certify: it is not the sum; of layout: it is wrong\n"
     "  2  invalid input or usage, or a file that cannot be read or written\n"
     "  3  a bug in oplus; please report it",
     true};
@@ -26,7 +26,7 @@ const ProgramFrame frame = {
 void add_commands(Program& program) {
   for (const auto add :
        {add_sum, add_compare, add_verify, add_certify, add_operations, add_complement, add_distance,
-        add_disc, add_transform, add_batch, add_draw, add_reflect, add_repair, add_gen})
+        add_disc, add_transform, add_layout, add_batch, add_draw, add_reflect, add_repair, add_gen})
     add(program);
 }
 

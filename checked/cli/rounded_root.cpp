@@ -18,4 +18,9 @@ std::string rounded_root(const Rational& value, bool up) {
   }
 }
 
+std::string rounded_roots(const Rational& least, const Rational& most) {
+  const std::string low = rounded_root(least, false), high = rounded_root(most, true);
+  return low == high ? low : "between " + low + " and " + high;
+}
+
 }  // namespace oplus

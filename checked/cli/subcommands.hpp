@@ -10,6 +10,7 @@ void add_sum(Program& program);
 void add_compare(Program& program);
 void add_verify(Program& program);
 void add_certify(Program& program);
+void add_layout(Program& program);
 void add_draw(Program& program);
 void add_gen(Program& program);
 void add_reflect(Program& program);

@@ -43,12 +43,6 @@ Rational tolerance_in(const std::string& text) {
   return value;
 }
 
-std::string said_distance(const BoundaryDistance& d) {
-  const std::string low = rounded_root(d.least_squared, false);
-  const std::string high = rounded_root(d.most_squared, true);
-  return low == high ? low : "between " + low + " and " + high;
-}
-
 std::string text_of(const Closeness& close, const std::string& tolerance) {
   std::string text = close.is_close() ? "yes: " : "no: ";
   if (close.is_close() && !close.has_same_chains()) {
@@ -61,7 +55,7 @@ std::string text_of(const Closeness& close, const std::string& tolerance) {
   if (close.distance) {
     text +=
         (close.is_distance_of_given() ? "distance of the boundary of S from it: " : "distance: ") +
-        said_distance(*close.distance);
+        rounded_roots(close.distance->least_squared, close.distance->most_squared);
     if (sign(close.distance->most_squared) > 0)
       text += std::string(", at ") + to_string(close.distance->farthest) + " of the boundary of " +
               (close.distance->farthest_is_given ? "S" : "the sum");

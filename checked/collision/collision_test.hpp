@@ -7,6 +7,8 @@
 
 namespace oplus {
 
+struct SummandBoundary;
+
 /// The collision predicate of two fixed regions P and Q, asked at many placements (thesis, Section
 /// 5.1). Implementations are built once a pair.
 class CollisionTest {
@@ -26,6 +28,9 @@ class CollisionTest {
 /// By two hierarchies of bounding volumes, built once, of which that of -Q is translated (Section
 /// 5.1.2). About O(log n + log m) where the interiors meet, by experience; O(nm) at worst.
 std::unique_ptr<CollisionTest> hierarchy_collision(const Region& p, const Region& q);
+
+/// Whether the interiors of P and Q + by meet, both given by their boundaries: the same of regions of many pairs.
+bool interiors_meet(const SummandBoundary& p, const SummandBoundary& q, const Vector& by);
 
 /// Compares each edge of P with each of -Q+x (Section 5.1): O(nm) unless an early pair crosses.
 /// What the two fast ones are measured against.

@@ -16,8 +16,6 @@ namespace oplus {
 
 namespace {
 
-enum class Meeting { none, crossing, contact };
-
 /// One placement, and the contacts seen so far.
 class Query {
  public:
@@ -26,38 +24,43 @@ class Query {
 
   /// Returns whether the pair crosses; remembers it where it touches.
   bool visit(std::size_t i, std::size_t j) {
-    const Meeting meeting = meeting_of(i, j);
-    if (meeting == Meeting::contact) contacts_.emplace_back(i, j);
-    return meeting == Meeting::crossing;
+    const std::optional<bool> crosses = do_cross(i, j);
+    if (crosses) return *crosses;
+    for (Point& at : intersection(p_.pieces[i], piece_of_q(j)))
+      contacts_.push_back({std::move(at), i, j});
+    return false;
   }
 
-  bool meet_without_crossing() const {
+  bool meet_without_crossing() {
     return meet_at_contacts() ||
            one_contains_untouched_chain(p_, minus_q_, x_, touched_by_contacts());
   }
 
  private:
-  Meeting meeting_of(std::size_t i, std::size_t j) const {
+  /// Whether they cross properly; empty where they don't, but may have contact.
+  std::optional<bool> do_cross(std::size_t i, std::size_t j) const {
     const auto& [a, b] = p_.pieces.certified(i);
     const auto [c, d] = translated(minus_q_.pieces.certified(j), by_);
     const std::optional<int> ab_c = orientation(a, b, c);
     const std::optional<int> ab_d = orientation(a, b, d);
     if (ab_c && ab_d) {
-      if (*ab_c == *ab_d && *ab_c != 0) return Meeting::none;
+      if (*ab_c == *ab_d && *ab_c != 0) return false;
       const std::optional<int> cd_a = orientation(c, d, a);
       const std::optional<int> cd_b = orientation(c, d, b);
       if (cd_a && cd_b) {
-        if (*cd_a == *cd_b && *cd_a != 0) return Meeting::none;
-        if (*ab_c * *ab_d < 0 && *cd_a * *cd_b < 0) return Meeting::crossing;
+        if (*cd_a == *cd_b && *cd_a != 0) return false;
+        if (*ab_c * *ab_d < 0 && *cd_a * *cd_b < 0) return true;
+        return std::nullopt;
       }
     }
-    const Segment& s = p_.pieces[i];
-    const Segment t = piece_of_q(j);
-    if (cross_properly(s, t)) return Meeting::crossing;
-    return intersection(s, t).empty() ? Meeting::none : Meeting::contact;
+    if (cross_properly(p_.pieces[i], piece_of_q(j))) return true;
+    return std::nullopt;
   }
 
-  Segment piece_of_q(std::size_t j) const { return translated(minus_q_.pieces[j], x_); }
+  Segment piece_of_q(std::size_t j) const {
+    const Segment& s = minus_q_.pieces[j];
+    return is_moved_ ? translated(s, x_) : s;
+  }
 
   /// A pair that meets in a point, or at an end of an overlap.
   struct Contact {
@@ -67,15 +70,11 @@ class Query {
 
   /// Pieces meet others of their summand in common ends only: so all that pass through a contact are in
   /// pairs that meet there, and no vertex is inside an overlap.
-  bool meet_at_contacts() const {
-    std::vector<Contact> contacts;
-    for (const auto& [i, j] : contacts_)
-      for (Point& at : intersection(p_.pieces[i], piece_of_q(j)))
-        contacts.push_back({std::move(at), i, j});
-    std::sort(contacts.begin(), contacts.end(),
+  bool meet_at_contacts() {
+    std::sort(contacts_.begin(), contacts_.end(),
               [](const Contact& a, const Contact& b) { return a.at < b.at; });
-    for (auto first = contacts.begin(); first != contacts.end();) {
-      const auto last = std::find_if(first, contacts.end(),
+    for (auto first = contacts_.begin(); first != contacts_.end();) {
+      const auto last = std::find_if(first, contacts_.end(),
                                      [&](const Contact& other) { return other.at != first->at; });
       if (interiors_meet_around(rays({&*first, static_cast<std::size_t>(last - first)})) &&
           !OPLUS_MUTANT("weak-intersections-never-meet",
@@ -106,7 +105,7 @@ class Query {
 
   TouchedChains touched_by_contacts() const {
     TouchedChains touched = untouched(p_, minus_q_);
-    for (const auto& [i, j] : contacts_) {
+    for (const auto& [at, i, j] : contacts_) {
       touched[0][p_.chain_of[i]] = true;
       touched[1][minus_q_.chain_of[j]] = true;
     }
@@ -117,7 +116,8 @@ class Query {
   const SummandBoundary& minus_q_;
   const Point& x_;
   const IntervalPoint by_;
-  std::vector<std::pair<std::size_t, std::size_t>> contacts_;
+  const bool is_moved_ = x_ != Point{};
+  std::vector<Contact> contacts_;
 };
 
 /// The collision test by pairs of boundary pieces (thesis, Section 5.1): a proper crossing of two
@@ -178,6 +178,12 @@ class NaiveCollision : public PairwiseCollision {
 
 std::unique_ptr<CollisionTest> hierarchy_collision(const Region& p, const Region& q) {
   return std::make_unique<HierarchyCollision>(p, q);
+}
+
+bool interiors_meet(const SummandBoundary& p, const SummandBoundary& q, const Vector& by) {
+  Query query(p, q, by);
+  const auto visit = [&](std::size_t i, std::size_t j) { return query.visit(i, j); };
+  return p.pieces.visit_meeting(q.pieces, by, visit) || query.meet_without_crossing();
 }
 
 std::unique_ptr<CollisionTest> naive_collision(const Region& p, const Region& q) {

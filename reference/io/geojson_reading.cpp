@@ -22,15 +22,24 @@ class GeoJsonReader {
     TextPlace place;
     do {
       const JsonTree tree(input_, place);
-      if (tree.root().kind() == Kind::array)
-        arrays(tree.root());
-      else
-        geometry(tree.root(), anything);
+      add(tree.root());
     } while (place.at != input_.text.size());
     return std::move(result_);
   }
 
+  PlacedGeometry read(JsonValue value) {
+    add(value);
+    return std::move(result_);
+  }
+
  private:
+  void add(JsonValue value) {
+    if (value.kind() == Kind::array)
+      arrays(value);
+    else
+      geometry(value, anything);
+  }
+
   /// What may be where: each of these also what comes before it.
   enum Allowed { simple, collection, anything };
 
@@ -212,6 +221,10 @@ class GeoJsonReader {
 
 PlacedGeometry parse_geojson(const InputText& input, Wanted wanted) {
   return GeoJsonReader(input, wanted).read();
+}
+
+PlacedGeometry parse_geojson(const InputText& input, JsonValue value) {
+  return GeoJsonReader(input, Wanted::region).read(value);
 }
 
 }  // namespace oplus

@@ -22,6 +22,7 @@ InvalidInput::InvalidInput(Place where, const std::string& wrong, const std::str
 
     : std::runtime_error(message(where, wrong, expected)),
       where_(std::move(where)),
-      wrong_(wrong) {}
+      wrong_(wrong),
+      expected_(expected) {}
 
 }  // namespace oplus

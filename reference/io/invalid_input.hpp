@@ -24,10 +24,12 @@ class InvalidInput : public std::runtime_error {
   const std::string& wrong() const {
     return wrong_;
   }  ///< Returns what is wrong, without the place.
+  const std::string& expected() const { return expected_; }  ///< Returns what was expected.
 
  private:
   Place where_;
   std::string wrong_;
+  std::string expected_;
 };
 
 }  // namespace oplus

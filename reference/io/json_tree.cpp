@@ -204,7 +204,17 @@ std::size_t JsonTree::next(std::size_t node) const {
 }
 
 Position JsonTree::place(std::size_t at) const {
-  if (at < known_.at) known_ = start_;
+  if (at < known_.at) {
+    const std::string_view back = text_.substr(at, known_.at - at);
+    const auto lines = static_cast<std::size_t>(std::count(back.begin(), back.end(), '\n'));
+    const std::size_t last = text_.substr(start_.at, at - start_.at).rfind('\n');
+    if (lines == 0)
+      known_ = {at, {known_.position.line, known_.position.column - back.size()}};
+    else if (last == std::string_view::npos)
+      known_ = start_;
+    else
+      known_ = {at, {known_.position.line - lines, at - start_.at - last}};
+  }
   for (; known_.at < at; ++known_.at) known_.position.pass(text_[known_.at]);
   return known_.position;
 }

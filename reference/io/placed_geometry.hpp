@@ -11,6 +11,7 @@
 
 #include "reference/definitions/region.hpp"
 #include "reference/io/input_text.hpp"
+#include "reference/io/json_tree.hpp"
 #include "reference/io/number.hpp"
 #include "reference/io/overlaps.hpp"
 
@@ -100,6 +101,8 @@ void require_closed_rings(const InputText& input, const PlacedGeometry& geometry
 PlacedGeometry parse_dat(const InputText& input);
 PlacedGeometry parse_wkt(const InputText& input, Wanted wanted);
 PlacedGeometry parse_geojson(const InputText& input, Wanted wanted);
+/// A value of the text: a GeoJSON geometry, or coordinates alone.
+PlacedGeometry parse_geojson(const InputText& input, JsonValue value);
 PlacedGeometry parse_wkb(const InputText& input, Wanted wanted);
 PlacedGeometry parse_svg_path(const InputText& input, Overlaps overlaps);
 

@@ -2,12 +2,7 @@
 #include "reference/io/reading.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
-#include <iostream>
 #include <iterator>
 #include <map>
 #include <optional>
@@ -19,6 +14,7 @@
 #include "reference/chains/validity.hpp"
 #include "reference/definitions/mutant.hpp"
 #include "reference/definitions/unbounded.hpp"
+#include "reference/io/file_text.hpp"
 #include "reference/io/invalid_region.hpp"
 #include "reference/io/placed_geometry.hpp"
 #include "reference/io/quoting.hpp"
@@ -31,22 +27,6 @@ namespace {
 
 constexpr const char* formats =
     "a region in .dat, WKT, WKB or GeoJSON, an array, or the data of an SVG path";
-
-std::string whole_text(std::istream& in, const std::string& name) {
-  errno = 0;
-  std::string text;
-  std::array<char, 1 << 16> block{};
-  do {
-    in.read(block.data(), block.size());
-    text.append(block.data(), static_cast<std::size_t>(in.gcount()));
-  } while (in);
-  if (in.bad())  // a directory, for one
-    throw InvalidInput(
-        {name, 0, 0},
-        "cannot be read" + (errno != 0 ? " (" + std::string(std::strerror(errno)) + ")" : ""),
-        formats);
-  return text;
-}
 
 /// Control characters are invalid in text, and in a message they would confuse the terminal.
 void refuse_binary(const InputText& input) {
@@ -110,15 +90,7 @@ Parsed parsed(std::string_view text, const std::string& name, Wanted wanted, Ove
 
 Parsed parsed_file(const std::string& path, Wanted wanted, Overlaps overlaps,
                    const ReadingProgress& progress) {
-  if (path == "-")
-    return parsed(whole_text(std::cin, "standard input"), "standard input", wanted, overlaps,
-                  progress);
-  errno = 0;
-  std::ifstream in(path, std::ios::binary);
-  if (!in)
-    throw InvalidInput({path, 0, 0}, std::string("cannot be opened (") + std::strerror(errno) + ")",
-                       "a file that can be read");
-  return parsed(whole_text(in, path), path, wanted, overlaps, progress);
+  return parsed(input_text(path, formats), input_name(path), wanted, overlaps, progress);
 }
 
 /// Adds a note where coordinates were left out.
@@ -325,6 +297,10 @@ ReadRegion oriented_and_checked(Region region, const std::string& name) {
   for (const PlacedChain& chain : input.geometry.chains)
     if (chain.vertices.size() < 3)
       refuse_too_few_vertices({name}, chain.start, chain.name, chain.vertices.size());
+  return checked_region(std::move(input));
+}
+
+ReadRegion checked_region(UncheckedInput input) {
   return read_region(Parsed{{std::move(input.name)}, std::move(input.geometry)}, Extent::bounded);
 }
 

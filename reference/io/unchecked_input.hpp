@@ -22,6 +22,9 @@ UncheckedInput read_unchecked(const std::string& text, const std::string& name,
                               const ReadingProgress& progress = {});
 UncheckedInput read_unchecked_file(const std::string& path, const ReadingProgress& progress = {});
 
+/// Turns and checks it as a reader does. Throws InvalidInput where the region is not valid.
+ReadRegion checked_region(UncheckedInput input);
+
 /// A region from code in the same form, with no place anywhere.
 UncheckedInput unchecked(Region region, const std::string& name);
 

@@ -44,7 +44,7 @@ class Pages(unittest.TestCase):
             ran = subprocess.run(["bash", "-c", command.replace("oplus ", "oplus --quiet ")], cwd=folder, env=environment,
                                  stdin=subprocess.DEVNULL, capture_output=True, text=True)
             # In a pipe, the exit code is that of the last command.
-            self.assertTrue(ran.returncode == int(comment.startswith("not equal")) and "oplus: " not in ran.stderr,
+            self.assertTrue(ran.returncode == int(comment.startswith(("not equal", "wrong"))) and "oplus: " not in ran.stderr,
                             f"{command}\n{ran.stderr}")
             yield command, ran.stdout
 
@@ -107,6 +107,14 @@ class Pages(unittest.TestCase):
                 for shown in re.findall(r"\]\((pictures/[^)]+)\)", page):
                     self.assertIn("docs/" + shown, drawn, "is not drawn on its page")
         self.assertEqual({"docs/pictures/" + path.name for path in (DOCS / "pictures").iterdir()} - drawn, set())
+
+    def test_layouts_print_what_their_page_says(self):
+        with tempfile.TemporaryDirectory() as folder:
+            (Path(folder) / "docs/pictures").mkdir(parents=True)
+            (Path(folder) / "docs/shapes").symlink_to(DOCS / "shapes")
+            printed = [text for _, text in self.run_commands(PAGES["layouts.md"], folder) if text]
+        self.assertEqual(printed, re.findall(r"```\n(.*?)```\n", PAGES["layouts.md"], re.DOTALL))
+        self.assertEqual(len(printed), 4)
 
     def test_show_a_picture_and_what_algorithms_rest_on(self):
         for name in ["cycles", "collision", "winding", "loops", "rca", "original_convolution"]:

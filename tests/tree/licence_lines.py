@@ -11,7 +11,8 @@ MIT, GPL, MPL = "MIT", "GPL-3.0-or-later", "MPL-2.0"
 # The library oplus_core; of `checked`, what is not in a folder. All else is over CGAL, or may be.
 CORE = ("reference/definitions", "reference/arithmetic", "reference/chains", "reference/io",
         "reference/oracle", "reference/pictures", "checked", "checked/arithmetic",
-        "checked/boxes", "checked/certificates", "checked/collision", "checked/cycles", "checked/distance", "checked/operations", "checked/oplus", "checked/oplus/internal",
+        "checked/boxes", "checked/certificates", "checked/collision", "checked/cycles", "checked/distance", "checked/layouts",
+        "checked/operations", "checked/oplus", "checked/oplus/internal",
         "checked/pieces", "checked/repair", "checked/rounding", "checked/slide", "checked/verify")
 # What users copy from.
 EXAMPLES = ("docs/examples/cpp", "checked/bindings/python/examples", "tests/consumer")
