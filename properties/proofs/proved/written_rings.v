@@ -5,8 +5,8 @@
    often; but on the right of all edges of a ring that is the same (clockwise_most_walks.v). *)
 From Coq Require Import QArith Lqa Qfield ZArith Arith Lia Bool List Permutation.
 From Oplus Require Import regions_and_sums balanced_edges distinct simple_chain simple_chains_turn_once
-  edges_of_valid_regions right_of_an_edge observation_2_2_4 boundary_points collision_is_complete pieces
-  beside_a_piece kept_pieces_go_round walks coordinates complement_in_a_frame touching_vertices
+  edges_of_valid_regions right_of_an_edge observation_2_2_4 boundary_points collision_is_complete placed_collision
+  pieces beside_a_piece kept_pieces_go_round walks coordinates complement_in_a_frame touching_vertices
   valid_regions_are_accepted beside_a_vertex canonical_chains.
 Import ListNotations.
 
