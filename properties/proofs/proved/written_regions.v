@@ -3,10 +3,10 @@
    accepts: so what oplus-proved writes, it reads. *)
 From Coq Require Import QArith Lqa ZArith Lia Bool List Permutation SetoidList SetoidPermutation.
 From Oplus Require Import specification regions_and_sums simple_chain specification_bridge collision_is_complete
-  checked_collision filling kept_pieces_go_round edges_of_valid_regions rule_of_sides walks region_of_pieces
-  sum_program sum_is_right inner_fit_program complement_in_a_frame touching_vertices simple_rings canonical_chains
-  canonical_regions regions_by_rule sum_of_uncovered_pieces valid_regions_are_accepted beside_a_vertex
-  clockwise_most_walks written_rings.
+  placed_collision checked_collision filling kept_pieces_go_round edges_of_valid_regions rule_of_sides walks
+  region_of_pieces sum_program sum_is_right inner_fit_program complement_in_a_frame touching_vertices simple_rings
+  canonical_chains canonical_regions regions_by_rule sum_of_uncovered_pieces valid_regions_are_accepted
+  beside_a_vertex clockwise_most_walks written_rings.
 Import ListNotations.
 
 Open Scope Q_scope.
