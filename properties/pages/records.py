@@ -31,8 +31,13 @@ def formal_statement(coq, name):
 
 
 def with_formal_statements(theorems, proofs):
-    """The entries of theorems.json, each with its statement in Coq as "formal"."""
+    """The entries of theorems.json, each with its statement in Coq as "formal", and as "numbers" those that it is
+    compiled over."""
+    listed = (proofs / "over_the_reals/rational_only").read_text(encoding="utf-8").splitlines()
+    rational_only = {line.partition(":")[0] for line in listed}
     for theorem in theorems:
+        folder = theorem["file"].partition("/")[0]
+        theorem["numbers"] = "ℚ" if {theorem["file"], folder} & rational_only else "ℚ and ℝ"
         if theorem["extent"] not in EXTENTS:
             raise InvalidRecord(f"{theorem['theorem']}: an extent of '{theorem['extent']}'")
         file = proofs / theorem["file"]

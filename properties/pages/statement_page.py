@@ -52,11 +52,12 @@ def proofs(theorems, backing):
     text = f"## What is proved, and what is tested\nIn short: {backing}.\n"
     if not theorems:
         return text + "Nothing of it is proved by Coq.\n\n"
-    text += "`ctest -L proofs` checks the proofs again, and that they use no axioms.\n"
+    text += ("`ctest -L proofs` checks the proofs again, and that they use no axioms, over ℝ none but "
+             "[its own](../proofs.md#over-the-real-numbers).\n")
     for theorem in theorems:
         formal = theorem["formal"].replace("\n", "\n    ")
         text += (f"\n`{theorem['theorem']}`, {link_to_source('properties/proofs/' + theorem['file'])}, "
-                 f"*{theorem['extent']}*.\n{theorem['gloss']}\n\n    {formal}\n\n"
+                 f"*{theorem['extent']}*, over {theorem['numbers']}.\n{theorem['gloss']}\n\n    {formal}\n\n"
                  f"- covered: {theorem['covers']}\n- not covered: {theorem['not_covered']}\n")
     return text + "\n"
 

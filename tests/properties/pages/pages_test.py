@@ -70,6 +70,7 @@ class Pages(unittest.TestCase):
             self.write(f"docs/{page}.md", "[lemma-9.9.9](theorems/lemma-9.9.9.md)\n")
         self.write("properties/proofs/edges.v", "Lemma edges_exist_not : True.\nProof. easy. Qed.\n\n"
                    "Theorem edges_exist (a : nat) :\n  a = a.\nProof. easy. Qed.\n")
+        self.write("properties/proofs/over_the_reals/rational_only", "# Why.\nedges.v: a counterexample\n")
         self.write("properties/statements/chapter9/statements.md",
                    TEXT.replace("\nRests on: fact-a, fact-b\n", "").replace("\n- Q is P", ""))
         self.write("properties/statements/chapter9/lemma_9_9_9.cpp", "")
@@ -135,6 +136,8 @@ class Pages(unittest.TestCase):
         self.write("properties/proofs/as_printed/lemma.v", "Theorem edges_exist (a : nat) :\n  a = a.\nProof. easy. Qed.\n")
         change(lambda: self.theorem.update(extent="as printed", file="as_printed/lemma.v"), "theorems.md",
                "theorems/graph.dot", PAGE)
+        self.write("properties/proofs/over_the_reals/rational_only", "edges: computed\n")
+        change(lambda: None, PAGE)  # over both numbers
         (self.docs / "rca.md").write_text("")
         change(lambda: None, PAGE)
 
@@ -143,7 +146,7 @@ class Pages(unittest.TestCase):
                      "## What is stated here\nThere are edges.\n\n*The difference:* Edges are no points.\n",
                      "[notation](../notation.md)", "Cited by: [rca](../rca.md), [slide](../slide.md).",
                      "[docs/findings.md, on Lemma 9.9.9](../findings.md#lemma-999-no-edges)",
-                     "    Theorem edges_exist (a : nat) :\n      a = a.\n", "- x is positive; false without: x = 0\n",
+                     "*in part*, over ℚ.\n", "    Theorem edges_exist (a : nat) :\n      a = a.\n", "- x is positive; false without: x = 0\n",
                      "| holes | 10 | 25 % | 15 % |\n", f"    P: {PAIR['p']}\n    Q: {PAIR['q']}\n",
                      "In short: proved by enumeration, 12 cases; machine-checked in part, 1 theorem; proved by SMT in "
                      "local form, 1 query; sampled, 40 pairs.\n"]:
