@@ -259,9 +259,9 @@ Lemma gap (f : vector -> Q) (before after : list vector) (p q : vector) :
 Proof.
   induction before as [| c before IH]; cbn [app]; intros [first rest].
   - split; [apply first; now left |]. intros r [<- | [<- | I]]; [left; lra | right; lra | right].
-    apply Qlt_le_weak, rest, I.
+    assert (f q < f r) by (apply rest, I). lra.
   - destruct (IH rest) as [less none]. split; [exact less |]. intros r [<- | I]; [left | now apply none].
-    apply Qlt_le_weak, first, in_elt.
+    assert (f c < f p) by (apply first, in_elt). lra.
 Qed.
 
 Lemma covered_by_consecutive (f : vector -> Q) (l : list vector) (a b : vector) (x : Q) :

@@ -171,7 +171,7 @@ Theorem turned_is_a_full_turn (b : vector) :
 Proof.
   intros m. pose proof (square_positive b m). repeat split.
   - exists 1. destruct (diamond_first 0 ltac:(lra)) as [x_is y_is].
-    unfold turned, product. cbn [vx vy]. rewrite x_is, y_is. repeat split; ring.
+    unfold turned, product. cbn [vx vy]. rewrite x_is, y_is. repeat split; (lra || ring).
   - intros s t r r' r''.
     pose proof (diamond_turns _ _ _ _ _ _ (diamond_on s ltac:(lra)) (diamond_on t ltac:(lra))) as k.
     assert (0 < cross (diamond s) (diamond t)) by (unfold turns_by in k; unfold cross; lra).

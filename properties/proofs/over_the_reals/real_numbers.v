@@ -137,6 +137,9 @@ Proof. intros. now apply Rmult_le_compat_r. Qed.
 Lemma Qmult_lt_r (x y z : Q) : 0 < z -> (x * z < y * z <-> x < y).
 Proof. intros. split; [now apply (Rmult_lt_reg_r z) | now apply Rmult_lt_compat_r]. Qed.
 
+Lemma Qmult_lt_l (x y z : Q) : 0 < z -> (z * x < z * y <-> x < y).
+Proof. intros. split; [now apply (Rmult_lt_reg_l z) | now apply Rmult_lt_compat_l]. Qed.
+
 Lemma Qmult_lt_0_le_reg_r (x y z : Q) : 0 < z -> x * z <= y * z -> x <= y.
 Proof. intros. now apply (Rmult_le_reg_r z). Qed.
 

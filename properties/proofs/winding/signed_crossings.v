@@ -294,9 +294,9 @@ Proof.
     by (intros N; exact (eventually_for_all _ segments (fun s _ => step_nearby from to s N))).
   unfold crossings_of_step.
   destruct (zero_spec (vx to - vx from)), (zero_spec (vy to - vy from)); cbn [andb] in *;
-    [exists 1; split; [lra |]; intros e _ _; now destruct (zero_moved e) as [-> ->] | ..];
+    [exists 1; split; [lra |]; intros d _ _; now destruct (zero_moved d) as [-> ->] | ..];
     (refine (eventually_implied _ _ _ (steps _)); [| intros []; contradiction]);
-    intros e F; destruct (zero_moved e) as [-> ->]; cbn [andb]; f_equal; now apply map_ext_in.
+    intros d F; destruct (zero_moved d) as [-> ->]; cbn [andb]; f_equal; now apply map_ext_in.
 Qed.
 
 Lemma path_nearby : forall segments path,

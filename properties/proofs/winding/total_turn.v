@@ -53,7 +53,7 @@ Definition sum_of_angles (us : list vector) : Q := fold_right (fun u rest => ang
 Lemma sum_of_angles_permuted : forall us vs,
   PermutationA equal_vectors us vs -> sum_of_angles us == sum_of_angles vs.
 Proof.
-  intros us vs P. induction P; cbn.
+  intros us vs P. unfold sum_of_angles. induction P; cbn [fold_right].
   - reflexivity.
   - rewrite (angle_of_equal _ _ H), IHP. reflexivity.
   - ring.
