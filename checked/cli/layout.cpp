@@ -107,7 +107,7 @@ void add_layout(Program& program) {
       "Touching is allowed. Everything is decided exactly, for the coordinates as they are written.\n"
       "\n"
       "Example:\n"
-      "  echo 'MULTIPOLYGON(((0 0,2 0,2 2,0 2,0 0)),((2 0,4 0,4 2,2 2,2 0)))' > parts.wkt\n"
+      "  oplus gen star --n 8 --summand P -o parts.wkt\n"
       "  oplus layout parts.wkt\n"
       "  oplus layout parts.wkt --format json\n"
       "  oplus layout parts.wkt --format svg -o parts.svg\n"

@@ -179,9 +179,9 @@ Proof.
     rewrite <- !Q2R_mult, <- Q2R_minus, <- real_zero. apply Qeq_eqR.
     unfold area, cross, along, minus in *. cbn [vx vy] in *. lra. }
   destruct multiple as (c & cx & cy). unfold along in cx, cy. rewrite <- !minus_is in cx, cy.
-  destruct (RealSmall.eventually_and _ _ (RealPiece.eventually_positive j c (proj1 range_j))
-    (RealSmall.eventually_and _ _ (RealPiece.eventually_positive (1 - j)%R (- c)%R ltac:(Lra.lra))
-      (RealPiece.eventually_positive (1 - k)%R (-1)%R ltac:(Lra.lra)))) as (bound & some & small).
+  destruct (RealSmall.eventually_and _ _ (RealSmall.eventually_positive j c (proj1 range_j))
+    (RealSmall.eventually_and _ _ (RealSmall.eventually_positive (1 - j)%R (- c)%R ltac:(Lra.lra))
+      (RealSmall.eventually_positive (1 - k)%R (-1)%R ltac:(Lra.lra)))) as (bound & some & small).
   destruct (some_rational k (k + bound)%R) as (a & A); [Lra.lra |].
   destruct (some_rational (Q2R a) (k + bound)%R) as (b & B); [Lra.lra |].
   assert (on : forall q, (k < Q2R q < k + bound)%R -> (0 <= Q2R q <= 1)%R /\ lies_on (point_at s q) t).
