@@ -264,7 +264,7 @@ Definition unbounded_polygons := (list chain * list polygon_with_holes)%type.
 Definition region_of_unbounded (s : unbounded_polygons) : polygonal_region := fst s ++ region_of_polygons (snd s).
 
 Definition written_unbounded (r : polygonal_region) : unbounded_polygons :=
-  let (polygons, holes) := partition (fun p => Qle_bool 0 (twice_the_area (fst p))) (written_polygons r) in
+  let (polygons, holes) := partition (fun p => is_outer_chain (fst p)) (written_polygons r) in
   (region_of_polygons holes, polygons).
 
 Lemma written_unbounded_is_the_region (r : polygonal_region) (x : point) :

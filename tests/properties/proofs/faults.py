@@ -189,7 +189,7 @@ FAULTS = [
     ("a hole is lost", "proved/polygons.v",
      "(outer, holes ++ [hole]) :: others else", "(outer, holes) :: others else", "proved/polygons.v"),
     ("a hole is given to all chains around it", "proved/polygons.v",
-     "then (outer, holes ++ [hole]) :: others", "then (outer, holes ++ [hole]) :: with_hole is_around hole others", "proved/polygons.v"),
+     "then (outer, holes ++ [hole]) :: others", "then (outer, holes ++ [hole]) :: with_hole others hole", "proved/polygons.v"),
     ("outer chains are lost", "proved/polygons.v",
      "holes (map (fun c => (c, [])) outer)", "holes []", "proved/polygons.v"),
     ("regions may cover something twice", "proved/operations.v",
