@@ -8,6 +8,11 @@ From Oplus Require Import specification direction winding_number in_out_degree r
   canonical_chains.
 Import ListNotations.
 
+(* Positive for chains that run counterclockwise, also if they touch themselves. *)
+Definition twice_the_area (c : chain) : Q :=
+  fold_right Qplus 0 (map (fun e => Qred (x_of (fst e) * y_of (snd e) - x_of (snd e) * y_of (fst e))) (edges_of_chain
+    c)).
+
 (* Outer chains before holes, each by their vertices that are in no straight line. *)
 Definition chain_with_key := ((bool * list vector) * list vector)%type.
 

@@ -6,7 +6,7 @@ From Oplus Require Import specification convolution regions winding_number_of_th
   specification_bridge homogeneous_points location pieces collision_is_complete checked_collision sum_program
   sum_of_uncovered_pieces touching_vertices complement_in_a_frame open_sum_program open_sums inner_fit_program
   inner_fit_is_right polygons canonical_chains canonical_regions walked_again boolean_operations complements openings
-  simple_chain written_regions.
+  simple_chain valid_components nested_polygons written_regions.
 Import ListNotations.
 
 (* Whether the theorems are about the region. *)
@@ -185,7 +185,8 @@ Qed.
 Lemma results_are_read_again (p q : polygonal_region) : is_covered p = true -> is_covered q = true ->
   forall polygons, In polygons [proved_sum p q; polygons_of_open (proved_open_sum p q);
     polygons_of_open (proved_no_fit p q); proved_union p q; proved_intersection p q; proved_difference p q] ->
-  is_covered (region_of_polygons polygons) = true /\ forall c, In c (region_of_polygons polygons) -> is_simple_chain c.
+  is_covered (region_of_polygons polygons) = true /\
+  (forall c, In c (region_of_polygons polygons) -> is_simple_chain c) /\ valid_components (map component_of polygons).
 Proof.
   intros p_valid q_valid polygons. apply is_covered_is_right in p_valid, q_valid.
   destruct p_valid as [p_valid _], q_valid as [q_valid q_above].
@@ -217,6 +218,14 @@ Theorem results_are_covered (p q : polygonal_region) : is_covered p = true -> is
   is_covered (region_of_polygons polygons) = true.
 Proof. intros p_valid q_valid polygons which. now apply (results_are_read_again p q p_valid q_valid). Qed.
 
+(* Theorem. What is written of these are valid components: outer chains, counterclockwise, each with its holes,
+   clockwise, inside it and beside each other, and the components beside each other. *)
+Theorem results_are_valid_components (p q : polygonal_region) : is_covered p = true -> is_covered q = true ->
+  forall polygons, In polygons [proved_sum p q; polygons_of_open (proved_open_sum p q);
+    polygons_of_open (proved_no_fit p q); proved_union p q; proved_intersection p q; proved_difference p q] ->
+  valid_components (map component_of polygons).
+Proof. intros p_valid q_valid polygons which. now apply (results_are_read_again p q p_valid q_valid). Qed.
+
 (* Erosion, opening and closing, of a region that has points. *)
 Definition proved_erosion : polygonal_region -> polygonal_region -> list polygon_with_holes := of_prepared erosion.
 Definition proved_opening : polygonal_region -> polygonal_region -> list polygon_with_holes := of_prepared opening.
@@ -242,11 +251,11 @@ Proof.
     intros y. unfold is_moved_into. setoid_rewrite same_p. setoid_rewrite same_q. reflexivity.
 Qed.
 
-(* Theorem. What is written of these is accepted again, and its chains are simple. *)
-Theorem erosions_openings_and_closings_are_covered (p q : polygonal_region) :
+Lemma erosions_openings_and_closings_are_read_again (p q : polygonal_region) :
   is_covered p = true -> is_covered q = true -> has_points q = true ->
   forall polygons, In polygons [proved_erosion p q; proved_opening p q; proved_closing p q] ->
-  is_covered (region_of_polygons polygons) = true /\ forall c, In c (region_of_polygons polygons) -> is_simple_chain c.
+  is_covered (region_of_polygons polygons) = true /\
+  (forall c, In c (region_of_polygons polygons) -> is_simple_chain c) /\ valid_components (map component_of polygons).
 Proof.
   intros [p_valid p_simple]%is_covered_is_right [q_valid q_simple]%is_covered_is_right some%has_points_is polygons.
   destruct (quick_sum_is_valid _ _ p_valid q_valid) as [sum_valid sum_simple].
@@ -259,12 +268,33 @@ Proof.
   - exact (fit_edges_are_long _ _ sum_valid sum_simple q_valid q_simple some).
 Qed.
 
+(* Theorem. What is written of these is accepted again, and its chains are simple. *)
+Theorem erosions_openings_and_closings_are_covered (p q : polygonal_region) :
+  is_covered p = true -> is_covered q = true -> has_points q = true ->
+  forall polygons, In polygons [proved_erosion p q; proved_opening p q; proved_closing p q] ->
+  is_covered (region_of_polygons polygons) = true /\ forall c, In c (region_of_polygons polygons) -> is_simple_chain c.
+Proof.
+  intros p_valid q_valid some polygons which.
+  destruct (erosions_openings_and_closings_are_read_again p q p_valid q_valid some polygons which) as (yes & all & _).
+  now split.
+Qed.
+
+(* Theorem. It is valid components, too. *)
+Theorem erosions_openings_and_closings_are_valid_components (p q : polygonal_region) :
+  is_covered p = true -> is_covered q = true -> has_points q = true ->
+  forall polygons, In polygons [proved_erosion p q; proved_opening p q; proved_closing p q] ->
+  valid_components (map component_of polygons).
+Proof.
+  intros p_valid q_valid some polygons which.
+  now apply (erosions_openings_and_closings_are_read_again p q p_valid q_valid some).
+Qed.
+
 (* What is unbounded, as the holes in it, and what is in these. *)
 Definition unbounded_polygons := (list chain * list polygon_with_holes)%type.
 Definition region_of_unbounded (s : unbounded_polygons) : polygonal_region := fst s ++ region_of_polygons (snd s).
 
 Definition written_unbounded (r : polygonal_region) : unbounded_polygons :=
-  let (polygons, holes) := partition (fun p => Qle_bool 0 (twice_the_area (fst p))) (written_polygons r) in
+  let (polygons, holes) := partition (fun p => is_outer_chain (fst p)) (written_polygons r) in
   (region_of_polygons holes, polygons).
 
 Lemma written_unbounded_is_the_region (r : polygonal_region) (x : point) :

@@ -2,11 +2,12 @@
 (* What is written of a set that ends at pieces, as canonical chains, is a valid region, which the test of regions
    accepts: so what oplus-proved writes, it reads. *)
 From Coq Require Import QArith Lqa ZArith Lia Bool List Permutation SetoidList SetoidPermutation.
-From Oplus Require Import specification regions_and_sums simple_chain specification_bridge collision_is_complete
+From Oplus Require Import specification regions_and_sums distinct simple_chain specification_bridge naive_collision
+  collision_is_sound collision_is_complete
   placed_collision checked_collision filling kept_pieces_go_round edges_of_valid_regions rule_of_sides walks
   region_of_pieces sum_program sum_is_right inner_fit_program complement_in_a_frame touching_vertices simple_rings
   canonical_chains canonical_regions regions_by_rule sum_of_uncovered_pieces valid_regions_are_accepted
-  beside_a_vertex clockwise_most_walks written_rings.
+  beside_a_vertex clockwise_most_walks written_rings valid_components nested_chains nested_polygons.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -128,14 +129,80 @@ Section Region.
     destruct (written_ring_is_a_rotation ring) as (l & m & chain_is & ->). apply simple_turned. rewrite <- chain_is.
     exact (canonical_chains_are_simple kept kept_parts _ rings_take_kept rings_pass_once ring I).
   Qed.
+
+  Let rings := rings_in_order chains.
+
+  Lemma written_ring_is_alike (ring : list vector) (x : vector) : alike_from x (edges (written_ring ring)) (edges ring).
+  Proof.
+    apply (alike_transitive x _ (edges (canonical_chain ring))); [| apply canonical_chain_is_alike].
+    apply alike_permuted, edges_of_a_rotation, written_ring_is_a_rotation.
+  Qed.
+
+  Lemma some_edge (ring : list vector) : In ring rings -> exists e, In e (edges ring).
+  Proof.
+    intros I. destruct (rings_pass_once ring I) as [_ some]. destruct ring as [| v ring]; [contradiction |].
+    destruct (edge_from_vertex (v :: ring) v (or_introl eq_refl)) as (e & E & _). now exists e.
+  Qed.
+
+  Lemma edges_once : NoDup (region_edges rings).
+  Proof. exact (Permutation_NoDup (Permutation_sym rings_take_kept) (are_distinct _ kept_parts)). Qed.
+
+  Lemma rings_are_disjoint (A B : list vector) : In A rings -> In B rings -> A <> B ->
+    forall e, In e (edges B) -> ~ In e (edges A).
+  Proof. intros C D other e E F. apply other. exact (in_one_part edges rings e A B edges_once C D F E). Qed.
+
+  Lemma edges_of_rings (A : list vector) : In A rings -> incl (edges A) kept.
+  Proof. intros C e E. apply (Permutation_in _ rings_take_kept), in_flat_map. now exists A. Qed.
+
+  Lemma written_rings_differ (A B : list vector) : In A rings -> In B rings -> written_ring A = written_ring B -> A = B.
+  Proof.
+    intros C D same. destruct (list_eq_dec vector_dec A B) as [| other]; [assumption | exfalso].
+    destruct (some_edge A C) as (e & E). pose proof (middle_is_inside e) as inside_.
+    assert (on : exists f, In f (edges B) /\ lies_on (middle e) f).
+    { apply (proj1 (written_ring_is_alike B (middle e))). rewrite <- same. apply written_ring_is_alike.
+      exists e. split; [exact E | now apply strictly_inside_lies_on]. }
+    destruct on as (f & F & on). apply (nothing_inside _ kept_parts e f (middle e)); trivial.
+    - exact (edges_of_rings A C e E).
+    - exact (edges_of_rings B D f F).
+    - intros ->. exact (rings_are_disjoint A B C D other f F E).
+  Qed.
+
+  (* Theorem. They do not cross. *)
+  Theorem written_chains_do_not_cross : do_not_cross (written_chains chains).
+  Proof.
+    split; [| split; [exact written_chains_are_simple | split; [exact written_region_is_valid |]]].
+    - apply NoDup_images; [| exact written_rings_differ].
+      apply (parts_are_distinct edges); [exact edges_once |]. intros A C none.
+      destruct (some_edge A C) as (e & E). now rewrite none in E.
+    - intros a b A B other. apply in_map_iff in A, B. destruct A as (A & <- & C), B as (B & <- & D).
+      assert (differ : A <> B) by congruence. pose proof (rings_are_disjoint A B C D differ) as disjoint. split.
+      + intros p (s & S & on_s) (t & T & on_t).
+        pose proof (edges_of_a_rotation _ _ (written_ring_is_a_rotation A)) as of_A.
+        pose proof (edges_of_a_rotation _ _ (written_ring_is_a_rotation B)) as of_B.
+        destruct (rings_meet_in_vertices kept kept_parts rings rings_take_kept rings_pass_once same_right_of_ring A B s
+          t) with (w := p) as (u & U & equal); trivial;
+          [now apply (Permutation_in _ of_A) | now apply (Permutation_in _ of_B) |].
+        exists u. split; [| exact equal]. cbn in U. rewrite app_nil_r in U.
+        apply (Permutation_in _ (Permutation_sym (Permutation_app of_A of_B)) U).
+      + destruct (some_edge B D) as (k & K).
+        assert (at_p : forall p, on_one_of p (edges (written_ring B)) -> off p (edges (written_ring A)) ->
+          winding_number p (edges (written_ring A)) = winding_number_shifted (right_of_middle k) (edges A)).
+        { intros p on free. rewrite (proj2 (written_ring_is_alike A p)).
+          apply (number_all_along kept kept_parts rings rings_take_kept same_right_of_ring A B p k); trivial.
+          - now apply (written_ring_is_alike B p).
+          - intros e E on_e. destruct (proj2 (proj1 (written_ring_is_alike A p))) as (s & S & on_s); [now exists e |].
+            exact (free s S on_s). }
+        intros p q on_p free_p on_q free_q. now rewrite !at_p.
+  Qed.
 End Region.
 
-(* What is written of a region is accepted, and its chains are simple. *)
+(* What is written of a region is accepted, its chains are simple, and its polygons valid components. *)
 Definition is_simple_chain (c : chain) : Prop := simple (map as_vector c).
 
 Definition is_read_again (r : polygonal_region) : Prop :=
   let written := flat_map polygons.chains_of_polygon (canonical_polygons r) in
-  covers_nothing_twice (as_region (prepared_region written)) = true /\ forall c, In c written -> is_simple_chain c.
+  covers_nothing_twice (as_region (prepared_region written)) = true /\
+  (forall c, In c written -> is_simple_chain c) /\ valid_components (map component_of (canonical_polygons r)).
 
 (* Theorem. *)
 Theorem chains_of_kept_are_read_again (segments kept : list segment) (inside : vector -> bool)
@@ -150,7 +217,7 @@ Proof.
     (flat_map polygons.chains_of_polygon (canonical_polygons (as_polygonal chains)))).
   { symmetry. rewrite canonical_polygons_permute. unfold canonical_region, as_polygonal.
     now rewrite (map_map (map as_point)), (map_ext _ (fun c => c) back), map_id. }
-  split.
+  split; [| split].
   - destruct (written_region_is_valid segments inside right_inside ends_ kept kept_are) as [valid above].
     destruct (polygonal_is_valid _ valid above) as [valid' above'].
     destruct (same_edges_are_valid _ _ (Permutation_flat_map edges (Permutation_map _ permuted)) (conj valid' above')).
@@ -158,6 +225,10 @@ Proof.
   - intros c I. apply (Permutation_in _ (Permutation_sym permuted)), in_map_iff in I. destruct I as (d & <- & D).
     unfold is_simple_chain. rewrite back. exact (written_chains_are_simple segments inside right_inside ends_ kept
       kept_are d D).
+  - unfold canonical_polygons, canonical_region, as_polygonal.
+    rewrite (map_map (map as_point)), (map_ext _ (fun c => c) back), map_id. apply polygons_are_valid_components.
+    rewrite (map_map (map as_point)), (map_ext _ (fun c => c) back), map_id.
+    exact (written_chains_do_not_cross segments inside right_inside ends_ kept kept_are).
 Qed.
 
 (* Theorem. So are sums, and regions by a rule. *)

@@ -162,21 +162,44 @@ Section Rings.
       as (d & _ & close & <-). now destruct (near _ close) as [_ <-].
   Qed.
 
+  (* So it does at all points of the other one that are not on it. *)
+  Lemma number_all_along (A B : list vector) (p : vector) (k : segment) : In A rings -> In B rings ->
+    (forall e, In e (edges B) -> ~ In e (edges A)) -> In k (edges B) ->
+    (exists e, In e (edges B) /\ lies_on p e) -> off p (edges A) ->
+    winding_number p (edges A) = winding_number_shifted (right_of_middle k) (edges A).
+  Proof.
+    intros C D disjoint K (e & E & on) free.
+    rewrite (same_on_the_right B (edges A) k e D (edges_of_ring A C) (closed_chain_cycles A) K E).
+    pose proof (edges_of_ring B D e E) as E'. assert (at_inner : forall q, strictly_inside q e ->
+      winding_number q (edges A) = winding_number_shifted (right_of_middle e) (edges A))
+      by (intros q inside_; apply (number_on_a_ring A e q C E' (disjoint e E) inside_)).
+    destruct (inside_or_end p e on) as [inside_ | at_end]; [now apply at_inner |].
+    destruct (winding_number_near p (edges A) (closed_chain_cycles A) free) as (radius & R & near).
+    assert (steps : forall u, (forall d, 0 < d < 1 -> strictly_inside (moved_along p u d) e) ->
+      winding_number p (edges A) = winding_number_shifted (right_of_middle e) (edges A)).
+    { intros u inner. destruct (some_small _ (eventually_and _ _ (small_steps_stay_within radius p u R)
+        (eventually_below 1 ltac:(lra)))) as (d & _ & close & range).
+      rewrite <- (at_inner _ (inner d range)). symmetry. now apply near. }
+    destruct at_end as [[X Y] | [X Y]]; [apply (steps (along e)) | apply (steps (opposite (along e)))]; intros d range;
+      [exists d | exists (1 - d)]; (split; [lra |]); unfold moved_along, opposite, along, minus; cbn [vx vy];
+      rewrite <- X, <- Y; split; ring.
+  Qed.
+
   Lemma rings_meet_in_vertices (A B : list vector) (s t : segment) : In A rings -> In B rings ->
     (forall e, In e (edges B) -> ~ In e (edges A)) -> In s (edges (canonical_chain A)) ->
-    In t (edges (canonical_chain B)) -> meet_in_sources (region_edges written) s t.
+    In t (edges (canonical_chain B)) -> meet_in_sources (region_edges [canonical_chain A; canonical_chain B]) s t.
   Proof.
-    intros C D disjoint S T w on_s on_t. destruct (vertex_or_not w written) as [| no_vertex]; [assumption | exfalso].
-    assert (in_written : forall ring, In ring rings -> incl (edges (canonical_chain ring)) (region_edges written))
-      by (intros ring R u U; apply in_flat_map; exists (canonical_chain ring); split; [now apply in_map | exact U]).
-    assert (inside_ : forall ring u, In ring rings -> In u (edges (canonical_chain ring)) -> lies_on w u ->
-      strictly_inside w u).
-    { intros ring u R U on. apply (in_written ring R) in U.
-      destruct (inside_or_end w u on) as [| [equal | equal]]; [assumption | |]; exfalso; apply no_vertex.
+    intros C D disjoint S T w on_s on_t. set (both := [canonical_chain A; canonical_chain B]).
+    destruct (vertex_or_not w both) as [| no_vertex]; [assumption | exfalso].
+    assert (in_A : incl (edges (canonical_chain A)) (region_edges both)) by apply incl_appl, incl_refl.
+    assert (in_B : incl (edges (canonical_chain B)) (region_edges both))
+      by (apply incl_appr, incl_appl, incl_refl).
+    assert (inside_ : forall u, In u (region_edges both) -> lies_on w u -> strictly_inside w u).
+    { intros u U on. destruct (inside_or_end w u on) as [| [equal | equal]]; [assumption | |]; exfalso; apply no_vertex.
       - exists u. split; [exact U | now symmetry].
-      - destruct (target_is_vertex written u U) as (g & G & equal'). exists g. split; [exact G |].
+      - destruct (target_is_vertex both u U) as (g & G & equal'). exists g. split; [exact G |].
         transitivity (target u); [now symmetry | exact equal']. }
-    pose proof (inside_ A s C S on_s) as in_s. pose proof (inside_ B t D T on_t) as in_t. clear inside_.
+    pose proof (inside_ s (in_A s S) on_s) as in_s. pose proof (inside_ t (in_B t T) on_t) as in_t. clear inside_.
     pose proof (written_is_long A s C S) as long_s. pose proof (written_is_long B t D T) as long_t.
     (* close to w on t are points inside edges of B, off A *)
     assert (beside : forall n c, nonzero n -> vx n == c * vx (along t) -> vy n == c * vy (along t) ->
@@ -210,7 +233,7 @@ Section Rings.
           unfold opposite, cross in *. cbn [vx vy]. split; [lra | split; ring]. }
       assert (no_vertex_A : ~ is_vertex w [canonical_chain A]).
       { intros (u & U & equal). apply no_vertex. exists u. split; [| exact equal]. unfold region_edges in U.
-        cbn [flat_map] in U. rewrite app_nil_r in U. exact (in_written A C u U). }
+        cbn [flat_map] in U. rewrite app_nil_r in U. exact (in_A u U). }
       assert (one_ring : region_edges [canonical_chain A] = edges (canonical_chain A)) by apply app_nil_r.
       assert (meet : edges_meet_in_vertices [canonical_chain A]).
       { apply edges_meet_by_pairs. rewrite one_ring. apply edges_of_one_chain;
@@ -242,8 +265,10 @@ Section Rings.
     { rewrite edges_written at 2. apply pairs_of_parts.
       - intros ring C. apply edges_of_one_chain; [now apply canonical_chains_are_simple | now apply among].
       - apply (weaker_pairs (fun A B => forall e, In e (edges A) -> ~ In e (edges B))).
-        { intros A B C D disjoint s t S T. apply (rings_meet_in_vertices A B); auto. intros e F E.
-          exact (disjoint e E F). }
+        { intros A B C D disjoint s t S T w on_s on_t. destruct (rings_meet_in_vertices A B s t C D) with (w := w)
+            as (u & U & equal); trivial; [intros e F E; exact (disjoint e E F) |].
+          exists u. split; [| exact equal]. cbn in U. rewrite app_nil_r in U. apply in_app_iff in U.
+          destruct U as [U | U]; [exact (among A C u U) | exact (among B D u U)]. }
         pose proof (Permutation_NoDup (Permutation_sym edges_are) (are_distinct _ parts)) as distinct_.
         revert distinct_.
         clear. induction rings as [| A l IH]; intros distinct_; constructor.

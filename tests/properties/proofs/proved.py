@@ -33,6 +33,8 @@ EXAMPLES = {
     "squares": (UNIT, f"POLYGON({square(0, 0, 2)})"),
     "a hole that stays": (AROUND, UNIT),
     "a hole that is filled": (AROUND, f"POLYGON({square(0, 0, 3)})"),
+    "a hole that is touched halfway along its first edge": (
+        "POLYGON((-5 -8,5 -8,5 -1.7,1 -0.5,5 0.7,5 5,-5 5,-5 -8),(0 0,2 -1,1 -5,0 0))", UNIT),
     "a hole into which Q fits exactly": (AROUND, f"POLYGON({square(0, 0, 2)})"),
     "a corridor of Q's width": ("POLYGON((0 0,9 0,9 4,0 4,0 3,7 3,7 2,0 2,0 0))", UNIT),
     "components": (f"MULTIPOLYGON(({square(0, 0, 1)}),({square(9, 0, 1)}))", UNIT),
