@@ -6,9 +6,7 @@
 #include "checked/cli/layout_answer.hpp"
 #include "checked/cli/numbers.hpp"
 #include "checked/cli/shared_options.hpp"
-#include "checked/cli/usage_error.hpp"
 #include "checked/layouts/reading.hpp"
-#include "reference/io/quoting.hpp"
 
 namespace oplus {
 
@@ -29,16 +27,10 @@ struct LayoutOptions {
   std::string output = "-";
 };
 
-Rational length(const std::string& option, const std::string& text) {
-  const Rational value = number(option, text);
-  if (sign(value) < 0)
-    throw UsageError(option + " takes a distance, not the negative number " + quote(text));
-  return value;
-}
-
 ExitCode check_layout(const LayoutOptions& options) {
-  const LayoutRules rules{length("--spacing", options.spacing), length("--margin", options.margin),
-                          length("--tolerance", options.tolerance)};
+  const LayoutRules rules{distance_number("--spacing", options.spacing),
+                          distance_number("--margin", options.margin),
+                          distance_number("--tolerance", options.tolerance)};
   const Rational error = angle_error(options.angle_error);
   require_one_standard_input(
       {options.layout, options.container.value_or(""), options.defects.value_or("")});

@@ -14,6 +14,20 @@ Rational number(const std::string& option, const std::string& text) {
   return *value;
 }
 
+Rational distance_number(const std::string& option, const std::string& text) {
+  const Rational value = number(option, text);
+  if (sgn(value) < 0)
+    throw UsageError(option + " takes a distance, not the negative number " + quote(text));
+  return value;
+}
+
+Rational positive_number(const std::string& option, const std::string& what,
+                         const std::string& text) {
+  const Rational value = number(option, text);
+  if (sgn(value) <= 0) throw UsageError(option + " takes " + what + " above 0, not " + quote(text));
+  return value;
+}
+
 Point pair_of_numbers(const std::string& option, const std::string& text) {
   const std::size_t comma = text.find(',');
   if (comma == std::string::npos)

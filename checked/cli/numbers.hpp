@@ -11,6 +11,13 @@ namespace oplus {
 /// which names the option.
 Rational number(const std::string& option, const std::string& text);
 
+/// The same of a distance, which is not negative.
+Rational distance_number(const std::string& option, const std::string& text);
+
+/// The same of a number above 0; `what` is how the message calls it: "a step".
+Rational positive_number(const std::string& option, const std::string& what,
+                         const std::string& text);
+
 /// The same of two numbers with a comma between them. Throws UsageError, likewise.
 Point pair_of_numbers(const std::string& option, const std::string& text);
 

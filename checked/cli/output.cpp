@@ -81,9 +81,7 @@ std::optional<OutputGrid> output_grid(const RoundingOptions& options) {
   if (options.digits)
     return OutputGrid{
         Rational(1) / Rational(power_of_ten(static_cast<unsigned long>(*options.digits))), side};
-  const Rational step = number("--grid", *options.grid);
-  if (sgn(step) <= 0) throw UsageError("--grid takes a step above 0, not " + quote(*options.grid));
-  return OutputGrid{step, side};
+  return OutputGrid{positive_number("--grid", "a step", *options.grid), side};
 }
 
 namespace {

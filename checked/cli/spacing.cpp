@@ -6,19 +6,8 @@
 #include "checked/cli/usage_error.hpp"
 #include "checked/operations/disc.hpp"
 #include "reference/chains/region_of.hpp"
-#include "reference/io/quoting.hpp"
 
 namespace oplus {
-
-namespace {
-
-Rational positive(const std::string& option, const std::string& text) {
-  Rational value = number(option, text);
-  if (sgn(value) <= 0) throw UsageError(option + " takes a distance above 0, not " + quote(text));
-  return value;
-}
-
-}  // namespace
 
 void add_spacing(const Command& command, SpacingOptions& spacing) {
   command.option(
@@ -35,10 +24,11 @@ std::optional<Region> disc_of(const SpacingOptions& spacing) {
     if (spacing.error) throw UsageError("--spacing-error is for --spacing");
     return std::nullopt;
   }
-  const Rational radius = positive("--spacing", *spacing.distance);
-  return disc_polygon(
-      radius, DiscSide::outside,
-      spacing.error ? positive("--spacing-error", *spacing.error) : Rational(radius / 100));
+  const Rational radius = positive_number("--spacing", "a distance", *spacing.distance);
+  return disc_polygon(radius, DiscSide::outside,
+                      spacing.error
+                          ? positive_number("--spacing-error", "a distance", *spacing.error)
+                          : Rational(radius / 100));
 }
 
 ReadSet spaced(const ReadSet& q, const Region& disc, const SumOf& sum) {

@@ -13,12 +13,10 @@
 #include "checked/cli/numbers.hpp"
 #include "checked/cli/rounded_root.hpp"
 #include "checked/cli/shared_options.hpp"
-#include "checked/cli/usage_error.hpp"
 #include "checked/cli/view.hpp"
 #include "checked/verify/closeness.hpp"
 #include "checked/verify/verdict_text.hpp"
 #include "reference/io/boundary_name.hpp"
-#include "reference/io/quoting.hpp"
 #include "reference/io/writing.hpp"
 
 namespace oplus {
@@ -35,13 +33,6 @@ struct VerifyOptions {
   std::optional<std::string> svg;
   bool json = false;
 };
-
-Rational tolerance_in(const std::string& text) {
-  const Rational value = number("--tolerance", text);
-  if (sign(value) < 0)
-    throw UsageError("--tolerance takes a distance, not the negative number " + quote(text));
-  return value;
-}
 
 std::string text_of(const Closeness& close, const std::string& tolerance) {
   std::string text = close.is_close() ? "yes: " : "no: ";
@@ -140,7 +131,8 @@ ExitCode verify_files(const VerifyOptions& options) {
   require_one_standard_input({options.p, options.q, options.sum});
   require_writable({}, options.svg);
   const std::optional<Rational> tolerance =
-      options.tolerance ? std::optional(tolerance_in(*options.tolerance)) : std::nullopt;
+      options.tolerance ? std::optional(distance_number("--tolerance", *options.tolerance))
+                        : std::nullopt;
   const Region p = read_summand(options.p, nullptr, Extent::bounded, options.overlaps);
   const Region q = read_summand(options.q, nullptr, Extent::bounded, options.overlaps);
   const ClaimedSum given = read_unchecked_sum(options.sum);
