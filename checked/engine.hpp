@@ -26,7 +26,7 @@ class HoleTest;  // checked/arrangement/hole_test.hpp
 using HoleTestMethod = std::function<std::unique_ptr<HoleTest>(const Region& p, const Region& q)>;
 
 /// The numbers that slide computes with. Larger ones than are needed are slower, and change nothing.
-enum class SlideNumbers { as_needed, at_least_256_bits, gmp, rationals };
+enum class SlideNumbers { as_needed, at_least_128_bits, gmp, rationals };
 
 /// Says how an engine is to compute. No sum depends on it, and an engine ignores what it has no use for.
 struct EngineOptions {

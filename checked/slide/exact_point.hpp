@@ -15,7 +15,11 @@ template <typename Value>
 Rational rational(const Value& value) {
   if constexpr (std::is_same_v<Value, boost::multiprecision::mpq_rational>)
     return Rational(value.backend().data());
-  else
+  else if constexpr (std::is_same_v<Value, WideNumbers::Value>) {
+    Rational result;
+    set_integer(result.get_num_mpz_t(), value);
+    return result;
+  } else
     return mpz_class(boost::multiprecision::mpz_int(value).backend().data());
 }
 
@@ -186,6 +190,74 @@ class ExactPoint<SmallNumbers> {
 
   Coordinate x_;
   Coordinate y_;
+};
+
+/// With one denominator for both coordinates, which is not the smallest.
+template <>
+class ExactPoint<WideNumbers> {
+ public:
+  ExactPoint() = default;
+  ExactPoint(const IntegerSegment<WideNumbers>& segment, const Fraction<WideNumbers>& t)
+      : x_(coordinate(segment.source.x, segment.direction.x, t)),
+        y_(coordinate(segment.source.y, segment.direction.y, t)),
+        denominator_(t.numerator() == t.denominator() || t.numerator() == 0 ? 1 : t.denominator()) {
+  }
+
+  double near_x(const Scaling& scaling) const { return near(x_, scaling); }
+  double near_y(const Scaling& scaling) const { return near(y_, scaling); }
+
+  void put_into(Point& point, const Scaling& scaling) const {
+    put_into(point.x, x_);
+    put_into(point.y, y_);
+    scaling.put_back(point);
+  }
+
+  Point in_the_plane(const Scaling& scaling) const {
+    Point point;
+    put_into(point, scaling);
+    return point;
+  }
+
+  bool has_x_of(const ExactPoint& other) const { return compared(x_, other.x_, other) == 0; }
+
+  friend bool operator==(const ExactPoint& a, const ExactPoint& b) {
+    return a.has_x_of(b) && a.compared(a.y_, b.y_, b) == 0;
+  }
+  friend bool operator<(const ExactPoint& a, const ExactPoint& b) {
+    const int order = a.compared(a.x_, b.x_, b);
+    return order != 0 ? order < 0 : a.compared(a.y_, b.y_, b) < 0;
+  }
+
+ private:
+  using Value = WideNumbers::Value;
+  using Product = WideNumbers::Product;
+  using Wider = FixedInteger<512>;
+
+  static Product coordinate(Value source, Value direction, const Fraction<WideNumbers>& t) {
+    if (t.numerator() == 0) return source;
+    if (t.numerator() == t.denominator()) return source + direction;
+    return Product(source) * t.denominator() + Product(direction) * t.numerator();
+  }
+
+  double near(const Product& numerator, const Scaling& scaling) const {
+    return scaled_down(numerator, scaling.shift) / to_double(denominator_);
+  }
+
+  /// Numerators have 190 bits.
+  int compared(const Product& mine, const Product& others, const ExactPoint& other) const {
+    if (denominator_ == other.denominator_) return mine.compare(others);
+    return (Wider(mine) * other.denominator_).compare(Wider(others) * denominator_);
+  }
+
+  void put_into(Rational& value, const Product& numerator) const {
+    value.get_num() = mpz_class(boost::multiprecision::mpz_int(numerator).backend().data());
+    set_integer(value.get_den_mpz_t(), denominator_);
+    if (denominator_ != 1) value.canonicalize();
+  }
+
+  Product x_ = 0;
+  Product y_ = 0;
+  Value denominator_ = 1;
 };
 
 /// Whether x is on the segment from a to b.

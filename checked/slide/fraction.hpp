@@ -11,7 +11,7 @@ namespace oplus::slide {
 /// Off by at most a few roundings.
 template <typename Value>
 double to_double(const Value& value) {
-  if constexpr (std::is_same_v<Value, std::int64_t>)
+  if constexpr (std::is_same_v<Value, std::int64_t> || std::is_same_v<Value, WideNumbers::Value>)
     return static_cast<double>(value);
   else
     return value.template convert_to<double>();

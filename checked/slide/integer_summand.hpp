@@ -96,6 +96,9 @@ typename Numbers::Value value_of(const Rational& coordinate, const Scaling& scal
                   "get_si() returns a long, which has 32 bits on some machines");
     if (scaling.is_trivial()) return coordinate.get_num().get_si();
     return scaled(coordinate, scaling, offset).get_si();
+  } else if constexpr (is_wide<Numbers>) {
+    return boost::multiprecision::mpz_int(scaled(coordinate, scaling, offset).get_mpz_t())
+        .template convert_to<std::int64_t>();
   } else if constexpr (is_rational<Numbers>) {
     return typename Numbers::Value(Rational(coordinate * scaling.denominator).get_mpq_t());
   } else {

@@ -9,6 +9,10 @@
 
 namespace oplus::slide {
 
+template <unsigned bits>
+using FixedInteger = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<
+    bits, bits, boost::multiprecision::signed_magnitude, boost::multiprecision::unchecked, void>>;
+
 /// The stages of integer arithmetic. Coordinates of a summand have at most `bits` bits, apart from
 /// the sign. What is a skew or scalar product of sums and differences of four of them has less than
 /// 2 bits + 5 and fits in Value; the sum of two products of two such fits in Product.
@@ -19,11 +23,9 @@ struct SmallNumbers {
 };
 
 struct WideNumbers {
-  static constexpr std::size_t bits = 124;
-  using Value = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<
-      256, 256, boost::multiprecision::signed_magnitude, boost::multiprecision::unchecked, void>>;
-  using Product = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<
-      512, 512, boost::multiprecision::signed_magnitude, boost::multiprecision::unchecked, void>>;
+  static constexpr std::size_t bits = 61;
+  __extension__ typedef __int128 Value;
+  using Product = FixedInteger<256>;
 };
 
 struct AnyNumbers {
@@ -40,6 +42,9 @@ struct RationalNumbers {
 
 template <typename Numbers>
 constexpr bool is_small = std::is_same_v<Numbers, SmallNumbers>;
+
+template <typename Numbers>
+constexpr bool is_wide = std::is_same_v<Numbers, WideNumbers>;
 
 template <typename Numbers>
 constexpr bool is_rational = std::is_same_v<Numbers, RationalNumbers>;

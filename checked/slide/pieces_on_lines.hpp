@@ -83,6 +83,8 @@ class PiecesOnLines {
   static Value common_factor(const Value& a, const Value& b) {
     if constexpr (is_small<Numbers>)
       return std::gcd(a, b);
+    else if constexpr (is_wide<Numbers>)
+      return std::gcd(static_cast<std::int64_t>(a), static_cast<std::int64_t>(b));
     else if constexpr (is_rational<Numbers>)
       return abs(a != 0 ? a : b);
     else

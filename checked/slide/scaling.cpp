@@ -11,6 +11,9 @@ namespace oplus::slide {
 
 namespace {
 
+/// As much longer than each number a common denominator may be.
+constexpr std::size_t many_times = 4;
+
 template <typename Visit>
 void each_vertex(const Region& region, const Visit& visit) {
   for (const Component& component : region.components) {
@@ -26,28 +29,21 @@ std::size_t bits(const mpz_class& value) {
   return mpz_sizeinbase(value.get_mpz_t(), 2);
 }
 
-std::size_t largest_bits(const Region& region, const Scaling& scaling,
-                         const Scaling::Offset& offset) {
-  std::size_t largest = 1;
-  each_vertex(region, [&](const Point& v) {
-    largest = std::max(
-        {largest, bits(scaled(v.x, scaling, offset.x)), bits(scaled(v.y, scaling, offset.y))});
-  });
-  return largest;
-}
-
 /// The middle of the smallest and the largest coordinates.
-Scaling::Offset middle(const Region& region, const Scaling& scaling) {
-  Point low = region.components[0].outer[0];
-  Point high = low;
-  each_vertex(region, [&](const Point& v) {
-    low = {std::min(low.x, v.x), std::min(low.y, v.y)};
-    high = {std::max(high.x, v.x), std::max(high.y, v.y)};
-  });
+Scaling::Offset middle(const Extent& extent, const Scaling& scaling) {
   const auto between = [&](const Rational& a, const Rational& b) {
     return mpz_class((scaled(a, scaling, 0) + scaled(b, scaling, 0)) / 2);
   };
-  return {between(low.x, high.x), between(low.y, high.y)};
+  return {between(extent.low.x, extent.high.x), between(extent.low.y, extent.high.y)};
+}
+
+std::size_t largest_bits(const Extent& extent, const Scaling& scaling,
+                         const Scaling::Offset& offset) {
+  std::size_t largest = 1;
+  for (const Point* corner : {&extent.low, &extent.high})
+    largest = std::max({largest, bits(scaled(corner->x, scaling, offset.x)),
+                        bits(scaled(corner->y, scaling, offset.y))});
+  return largest;
 }
 
 }  // namespace
@@ -78,19 +74,38 @@ mpz_class scaled(const Rational& coordinate, const Scaling& scaling, const mpz_c
   return value;
 }
 
-Scaling scaling_of(const Region& p, const Region& q) {
+Extent extent_of(const Region& region, Denominators denominators) {
+  Extent extent;
+  extent.low = extent.high = region.components[0].outer[0];
+  each_vertex(region, [&](const Point& v) {
+    for (const auto c : {&Point::x, &Point::y}) {
+      if (v.*c < extent.low.*c) extent.low.*c = v.*c;
+      if (extent.high.*c < v.*c) extent.high.*c = v.*c;
+      if (const mpz_class& denominator = (v.*c).get_den(); !is_one(denominator))
+        extent.longest = std::max({extent.longest, bits((v.*c).get_num()), bits(denominator)});
+    }
+  });
+  each_vertex(region, [&](const Point& v) {
+    for (const Rational* c : {&v.x, &v.y}) {
+      if (extent.is_unlike || is_one(c->get_den())) continue;
+      mpz_lcm(extent.denominator.get_mpz_t(), extent.denominator.get_mpz_t(), c->get_den_mpz_t());
+      extent.is_unlike = denominators == Denominators::alike &&
+                         bits(extent.denominator) > many_times * extent.longest;
+    }
+  });
+  return extent;
+}
+
+bool has_unlike_denominators(const Extent& p, const Extent& q) {
+  if (p.is_unlike || q.is_unlike) return true;
+  mpz_class common;
+  mpz_lcm(common.get_mpz_t(), p.denominator.get_mpz_t(), q.denominator.get_mpz_t());
+  return bits(common) > many_times * std::max(p.longest, q.longest);
+}
+
+Scaling scaling_of(const Extent& p, const Extent& q) {
   Scaling scaling;
-  for (const Region* region : {&p, &q}) {
-    each_vertex(*region, [&](const Point& v) {
-      for (const Rational* c : {&v.x, &v.y}) {
-        if (!is_one(c->get_den()))
-          mpz_lcm(scaling.denominator.get_mpz_t(), scaling.denominator.get_mpz_t(),
-                  c->get_den_mpz_t());
-        scaling.bits = std::max(scaling.bits, bits(c->get_num()));
-      }
-    });
-  }
-  if (scaling.is_trivial()) return scaling;
+  mpz_lcm(scaling.denominator.get_mpz_t(), p.denominator.get_mpz_t(), q.denominator.get_mpz_t());
   const auto largest = [&] {
     return std::max(largest_bits(p, scaling, scaling.of_p), largest_bits(q, scaling, scaling.of_q));
   };
@@ -130,28 +145,6 @@ Scaling scaling_of_rationals(const Region& p, const Region& q) {
   scaling.bits = static_cast<std::size_t>(bits_now + more);
   scaling.shift = scaling.bits - 60;
   return scaling;
-}
-
-bool has_unlike_denominators(const Region& p, const Region& q) {
-  constexpr std::size_t many_times = 4;
-  mpz_class common = 1;
-  std::size_t longest = WideNumbers::bits / many_times;
-  for (const Region* region : {&p, &q})
-    each_vertex(*region, [&](const Point& v) {
-      for (const Rational* c : {&v.x, &v.y})
-        if (!is_one(c->get_den()))
-          longest = std::max({longest, bits(c->get_num()), bits(c->get_den())});
-    });
-  bool unlike = false;
-  for (const Region* region : {&p, &q})
-    each_vertex(*region, [&](const Point& v) {
-      for (const Rational* c : {&v.x, &v.y}) {
-        if (unlike || is_one(c->get_den())) continue;
-        mpz_lcm(common.get_mpz_t(), common.get_mpz_t(), c->get_den_mpz_t());
-        unlike = bits(common) > many_times * longest;
-      }
-    });
-  return unlike;
 }
 
 }  // namespace oplus::slide

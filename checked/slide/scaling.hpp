@@ -33,8 +33,26 @@ struct Scaling {
   void put_back(Point& point) const;
 };
 
-/// Requires: both have a vertex.
-Scaling scaling_of(const Region& p, const Region& q);
+/// What the scaling of a pair depends on, of each of them.
+struct Extent {
+  mpz_class denominator = 1;  ///< common to all coordinates
+  bool is_unlike = false;     ///< that is not, since it would have many more bits than any of them
+  std::size_t longest = 31;   ///< bits of numerators and denominators, of which there are no more
+  Point low, high;            ///< corners of the box
+};
+
+/// Whether a common denominator may have as many bits as it takes.
+enum class Denominators { alike, any };
+
+/// Requires: there is a vertex.
+Extent extent_of(const Region& region, Denominators denominators = Denominators::alike);
+
+/// Whether the common denominator has many more bits than any coordinate, so that computing with
+/// rationals is faster.
+bool has_unlike_denominators(const Extent& p, const Extent& q);
+
+/// Requires: neither is unlike.
+Scaling scaling_of(const Extent& p, const Extent& q);
 
 /// The same of two regions whose coordinates are integers of so many bits, at most 29.
 inline Scaling scaling_of_integers(std::size_t bits) {
@@ -49,10 +67,6 @@ std::size_t bits_of_integers(const Region& region);
 /// For RationalNumbers: the denominator is a power of two, with which coordinates have about 60 bits
 /// before the point. Requires: both have a vertex.
 Scaling scaling_of_rationals(const Region& p, const Region& q);
-
-/// Whether the common denominator has many more bits than any coordinate, so that computing with
-/// rationals is faster.
-bool has_unlike_denominators(const Region& p, const Region& q);
 
 /// A coordinate as an integer.
 mpz_class scaled(const Rational& coordinate, const Scaling& scaling, const mpz_class& offset);

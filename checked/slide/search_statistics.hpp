@@ -11,12 +11,12 @@
 namespace oplus::slide {
 
 /// Which arithmetic the pairs of edges that took integers are counted for.
-enum class Integers { of_64_bits, of_256_bits, of_gmp, rationals };
+enum class Integers { of_64_bits, of_128_bits, of_gmp, rationals };
 
 template <typename Numbers>
 constexpr Integers integers_of() {
   if constexpr (is_small<Numbers>) return Integers::of_64_bits;
-  if constexpr (std::is_same_v<Numbers, WideNumbers>) return Integers::of_256_bits;
+  if constexpr (is_wide<Numbers>) return Integers::of_128_bits;
   return is_rational<Numbers> ? Integers::rationals : Integers::of_gmp;
 }
 
@@ -33,7 +33,7 @@ inline Statistics search_statistics(std::size_t segments, std::size_t bits, std:
           {"pairs of boxes", effort.box_pairs},
           {"pairs of edges decided by doubles", effort.by_doubles},
           {"in integers of 64 bits", decided_in(Integers::of_64_bits)},
-          {"in integers of 256 bits", decided_in(Integers::of_256_bits)},
+          {"in integers of 128 bits", decided_in(Integers::of_128_bits)},
           {"in integers of GMP", decided_in(Integers::of_gmp)},
           {"in rationals", decided_in(Integers::rationals)}};
 }

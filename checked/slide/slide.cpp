@@ -14,15 +14,26 @@ using namespace slide;
 
 namespace {
 
+bool are_small(std::size_t bits_p, std::size_t bits_q, const EngineOptions& options) {
+  return options.numbers == SlideNumbers::as_needed && bits_p > 0 && bits_q > 0 &&
+         std::max(bits_p, bits_q) <= SmallNumbers::bits;
+}
+
+/// Integers that are asked for are taken, however long.
+Denominators denominators_for(const EngineOptions& options) {
+  return options.numbers == SlideNumbers::as_needed ? Denominators::alike : Denominators::any;
+}
+
 /// Summands are regions, or prepared ones.
 template <typename OneSummand>
 ComputedSum sum_of(const OneSummand& p, const OneSummand& q, const Region& region_p,
-                   const Region& region_q, Boundary boundary, const EngineOptions& options) {
+                   const Region& region_q, const Extent& extent_p, const Extent& extent_q,
+                   Boundary boundary, const EngineOptions& options) {
   if (options.numbers == SlideNumbers::rationals ||
-      (options.numbers == SlideNumbers::as_needed && has_unlike_denominators(region_p, region_q)))
+      (options.numbers == SlideNumbers::as_needed && has_unlike_denominators(extent_p, extent_q)))
     return sum_in<RationalNumbers>(p, q, scaling_of_rationals(region_p, region_q), boundary,
                                    options);
-  const Scaling scaling = scaling_of(region_p, region_q);
+  const Scaling scaling = scaling_of(extent_p, extent_q);
   if (options.numbers == SlideNumbers::as_needed && scaling.bits <= SmallNumbers::bits)
     return sum_in<SmallNumbers>(p, q, scaling, boundary, options);
   if (options.numbers != SlideNumbers::gmp && scaling.bits <= WideNumbers::bits)
@@ -39,17 +50,28 @@ ComputedSum sum_with_nothing() {
 ComputedSum slide_sum(const Region& p, const Region& q, Boundary boundary,
                       const EngineOptions& options) {
   if (p.components.empty() || q.components.empty()) return sum_with_nothing();
-  return sum_of(p, q, p, q, boundary, options);
+  const std::size_t bits_p = bits_of_integers(p), bits_q = bits_of_integers(q);
+  if (are_small(bits_p, bits_q, options))
+    return sum_in<SmallNumbers>(p, q, scaling_of_integers(std::max(bits_p, bits_q)), boundary,
+                                options);
+  const Denominators denominators = denominators_for(options);
+  return sum_of(p, q, p, q, extent_of(p, denominators), extent_of(q, denominators), boundary,
+                options);
 }
 
 ComputedSum sum_of_prepared(const PreparedSummand& p, const PreparedSummand& q, Boundary boundary,
                             const EngineOptions& options) {
-  if (p.region().components.empty() || q.region().components.empty()) return sum_with_nothing();
-  const std::size_t bits = std::max(p.bits_of_integers(), q.bits_of_integers());
-  if (options.numbers == SlideNumbers::as_needed && p.bits_of_integers() > 0 &&
-      q.bits_of_integers() > 0 && bits <= SmallNumbers::bits)
-    return sum_in<SmallNumbers>(p, q, scaling_of_integers(bits), boundary, options);
-  return sum_of(p, q, p.region(), q.region(), boundary, options);
+  const Region &region_p = p.region(), &region_q = q.region();
+  if (region_p.components.empty() || region_q.components.empty()) return sum_with_nothing();
+  const std::size_t bits_p = p.bits_of_integers(), bits_q = q.bits_of_integers();
+  if (are_small(bits_p, bits_q, options))
+    return sum_in<SmallNumbers>(p, q, scaling_of_integers(std::max(bits_p, bits_q)), boundary,
+                                options);
+  if (const Denominators denominators = denominators_for(options);
+      denominators == Denominators::any)
+    return sum_of(p, q, region_p, region_q, extent_of(region_p, denominators),
+                  extent_of(region_q, denominators), boundary, options);
+  return sum_of(p, q, region_p, region_q, p.extent(), q.extent(), boundary, options);
 }
 
 }  // namespace oplus

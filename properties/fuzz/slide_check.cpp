@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "checked/slide/number_types.hpp"
 #include "checked/slide/slide.hpp"
 #include "checked/verify/sum_by_convex_parts.hpp"
 #include "reference/chains/region_of.hpp"
@@ -25,7 +26,7 @@ struct Stage {
 };
 constexpr std::array<Stage, 4> stages{{
     {SlideLaws::as_needed, SlideNumbers::as_needed, ""},
-    {SlideLaws::at_least_256_bits, SlideNumbers::at_least_256_bits, " in 256 bits or more"},
+    {SlideLaws::at_least_128_bits, SlideNumbers::at_least_128_bits, " in 128 bits or more"},
     {SlideLaws::gmp, SlideNumbers::gmp, " in GMP"},
     {SlideLaws::rationals, SlideNumbers::rationals, " in rationals"},
 }};
@@ -39,10 +40,10 @@ void require_same(const PlanarSet& sum, const PlanarSet& expected, const std::st
 
 bool is_in_right_stage(const Statistics& s, SlideNumbers numbers) {
   const std::size_t bits = s.count("bits of a coordinate");
-  const bool may_be_small = numbers == SlideNumbers::as_needed && bits <= 29;
-  const bool may_be_wide = numbers != SlideNumbers::gmp && bits <= 124;
+  const bool may_be_small = numbers == SlideNumbers::as_needed && bits <= slide::SmallNumbers::bits;
+  const bool may_be_wide = numbers != SlideNumbers::gmp && bits <= slide::WideNumbers::bits;
   return (s.count("in integers of 64 bits") == 0 || may_be_small) &&
-         (s.count("in integers of 256 bits") == 0 || (may_be_wide && !may_be_small)) &&
+         (s.count("in integers of 128 bits") == 0 || (may_be_wide && !may_be_small)) &&
          (s.count("in integers of GMP") == 0 || !may_be_wide);
 }
 
@@ -105,7 +106,7 @@ void check_slide(const Summands& summands, const ExpectedSums& expected, SlideLa
 SlideLaws laws_for(std::string_view bytes) {
   unsigned mixed = 0;
   for (const char byte : bytes) mixed = 31 * mixed + static_cast<unsigned char>(byte);
-  constexpr std::array others{SlideLaws::at_least_256_bits, SlideLaws::gmp, SlideLaws::rationals,
+  constexpr std::array others{SlideLaws::at_least_128_bits, SlideLaws::gmp, SlideLaws::rationals,
                               SlideLaws::exchanged};
   return mixed % 8 == 0 ? others.at(mixed / 8 % others.size()) : SlideLaws::as_needed;
 }

@@ -11,7 +11,7 @@ namespace oplus {
 
 /// Which laws of check_slide: 1, 3 and 5 always; with `all`, 2 in all numbers, and 4. These take most of
 /// the time.
-enum class SlideLaws { as_needed, at_least_256_bits, gmp, rationals, exchanged, all };
+enum class SlideLaws { as_needed, at_least_128_bits, gmp, rationals, exchanged, all };
 
 /// What slide must do with a pair, closed and open:
 ///  1. it finds the sum of convex parts (sum_by_convex_parts.hpp), with the origins by their definition;

@@ -11,7 +11,8 @@ namespace oplus {
 
 SlidPair::SlidPair(const Summands& pair)
     : summands(pair),
-      scaling(slide::scaling_of(pair.p, pair.q)),
+      scaling(slide::scaling_of(slide::extent_of(pair.p, slide::Denominators::any),
+                                slide::extent_of(pair.q, slide::Denominators::any))),
       segments(pair.p, pair.q, scaling),
       minus_q_(reflected(pair.q)) {
   OPLUS_REQUIRES(scaling.bits <= Numbers::bits, "coordinates of 29 bits");

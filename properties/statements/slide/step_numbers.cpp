@@ -31,7 +31,7 @@ Outcome check(const Summands& summands) {
     const ComputedSum small = slide_sum(summands.p, summands.q, boundary, options);
     outcome.counts["in 64-bit integers"] += small.statistics.count("in integers of 64 bits") > 0;
     for (const SlideNumbers numbers :
-         {SlideNumbers::at_least_256_bits, SlideNumbers::gmp, SlideNumbers::rationals}) {
+         {SlideNumbers::at_least_128_bits, SlideNumbers::gmp, SlideNumbers::rationals}) {
       options.numbers = numbers;
       const ComputedSum other = slide_sum(summands.p, summands.q, boundary, options);
       if (other.sum != small.sum || other.origins != small.origins)

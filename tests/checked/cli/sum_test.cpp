@@ -230,7 +230,7 @@ TEST_F(Sum, stats_are_lines_of_name_and_value) {
   for (const std::string line :
        {"bits of a coordinate: 3\n", "free pieces of segments: ", "probes: ", "pairs of boxes: ",
         "pairs of edges decided by doubles: ", "in integers of 64 bits: ",
-        "in integers of 256 bits: 0\n", "in integers of GMP: 0\n", "isolated vertices: 1\n"})
+        "in integers of 128 bits: 0\n", "in integers of GMP: 0\n", "isolated vertices: 1\n"})
     EXPECT_TRUE(has("\n" + by_default.err, "\n" + line));
 }
 

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "checked/operations/image.hpp"
-#include "checked/slide/fraction.hpp"
+#include "checked/slide/exact_point.hpp"
 #include "checked/slide/integer_summands.hpp"
 #include "reference/definitions/segment.hpp"
 
@@ -18,6 +18,8 @@ template <typename Value>
 mpz_class integer(const Value& value) {
   if constexpr (std::is_same_v<Value, std::int64_t>)
     return {static_cast<long>(value)};
+  else if constexpr (std::is_same_v<Value, WideNumbers::Value>)
+    return rational(value).get_num();
   else
     return mpz_class(value.str());
 }
@@ -27,6 +29,8 @@ template <typename Numbers>
 typename Numbers::Value value(const mpz_class& integer) {
   if constexpr (is_small<Numbers>)
     return integer.get_si();
+  else if constexpr (is_wide<Numbers>)
+    return static_cast<WideNumbers::Value>(FixedInteger<256>(integer.get_str()));
   else
     return typename Numbers::Value(integer.get_str());
 }

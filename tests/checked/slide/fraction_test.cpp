@@ -17,9 +17,9 @@ TYPED_TEST_SUITE(FractionIn, AllNumbers);
 
 /// An upper bound for the number of bits of a fraction's numbers here.
 template <typename Numbers>
-constexpr unsigned bits = is_small<Numbers>                      ? 62
-                          : std::is_same_v<Numbers, WideNumbers> ? 253
-                                                                 : 3000;
+constexpr unsigned bits = is_small<Numbers>  ? 62
+                          : is_wide<Numbers> ? 126
+                                             : 3000;
 
 mpz_class odd_number(Random& random, unsigned of_bits) {
   mpz_class number = 1;

@@ -50,8 +50,8 @@ TEST(PlaceInside, of_gaps_that_no_double_can_tell) {
     for (const Rational& from : {Rational(0), Rational(1, 3), Rational(1 - gap)})
       expect_inside<AnyNumbers>(from, from + gap);
   }
-  expect_inside<WideNumbers>(0, power_of_two(-250));
-  expect_inside<WideNumbers>(1 - power_of_two(-250), 1);
+  expect_inside<WideNumbers>(0, power_of_two(-124));
+  expect_inside<WideNumbers>(1 - power_of_two(-124), 1);
 }
 
 }  // namespace

@@ -64,7 +64,7 @@ TEST(PreparedSummand, is_kept_for_each_scaling) {
     for (const PreparedSummand& p : all)
       for (const PreparedSummand& q : all) expect_as_unprepared(p, q);
   for (const SlideNumbers numbers :
-       {SlideNumbers::at_least_256_bits, SlideNumbers::gmp, SlideNumbers::rationals})
+       {SlideNumbers::at_least_128_bits, SlideNumbers::gmp, SlideNumbers::rationals})
     expect_as_unprepared(all[0], all[3], numbers);
 }
 

@@ -30,7 +30,7 @@ constexpr Boundary both[] = {Boundary::closed, Boundary::open};
 std::string stage(const Statistics& statistics) {
   std::string stages;
   if (statistics.count("in integers of 64 bits") > 0) stages += "64";
-  if (statistics.count("in integers of 256 bits") > 0) stages += "256";
+  if (statistics.count("in integers of 128 bits") > 0) stages += "128";
   if (statistics.count("in integers of GMP") > 0) stages += "gmp";
   if (statistics.count("in rationals") > 0) stages += "rationals";
   return stages;
@@ -145,16 +145,16 @@ TEST(SlideStages, are_the_first_that_hold_the_bits_of_a_coordinate) {
   };
   for (const Row& row : {
            Row{"29 bits", square_around_origin(power(29) - 1), triangle, 29, "64"},
-           {"30 bits", square_around_origin(power(29)), triangle, 30, "256"},
-           {"30 bits, exchanged", triangle, square_around_origin(power(29)), 30, "256"},
+           {"30 bits", square_around_origin(power(29)), triangle, 30, "128"},
+           {"30 bits, exchanged", triangle, square_around_origin(power(29)), 30, "128"},
            {"30 bits, of which the middle of the box takes one", triangle_to(power(30) - 2),
             triangle, 29, "64"},
-           {"31 bits, of which it takes one", triangle_to(power(30)), triangle, 30, "256"},
-           {"124 bits", square_around_origin(power(124) - 1), triangle, 124, "256"},
-           {"125 bits", square_around_origin(power(124)), triangle, 125, "gmp"},
+           {"31 bits, of which it takes one", triangle_to(power(30)), triangle, 30, "128"},
+           {"61 bits", square_around_origin(power(61) - 1), triangle, 61, "128"},
+           {"62 bits", square_around_origin(power(61)), triangle, 62, "gmp"},
            {"a common denominator of 2 bits", of_20_bits, tiny(3), 22, "64"},
            {"a common denominator of 9 bits", of_20_bits, tiny(511), 29, "64"},
-           {"a common denominator of 10 bits", of_20_bits, tiny(513), 30, "256"},
+           {"a common denominator of 10 bits", of_20_bits, tiny(513), 30, "128"},
        }) {
     const Statistics statistics = slide_sum(row.p, row.q, Boundary::closed).statistics;
     EXPECT_EQ(statistics.count("bits of a coordinate"), row.bits) << row.name;
@@ -203,10 +203,10 @@ TEST(SlideStages, that_are_asked_for_are_taken) {
     return stage(slide_sum(triangle, triangle, Boundary::closed, {.numbers = numbers}).statistics);
   };
   EXPECT_EQ(with(SlideNumbers::as_needed), "64");
-  EXPECT_EQ(with(SlideNumbers::at_least_256_bits), "256");
+  EXPECT_EQ(with(SlideNumbers::at_least_128_bits), "128");
   EXPECT_EQ(with(SlideNumbers::gmp), "gmp");
   EXPECT_EQ(with(SlideNumbers::rationals), "rationals");
-  const EngineOptions at_least{.numbers = SlideNumbers::at_least_256_bits};
+  const EngineOptions at_least{.numbers = SlideNumbers::at_least_128_bits};
   EXPECT_EQ(stage(slide_sum(triangle_to(power_of_two(200)), square_around_origin(1),
                             Boundary::closed, at_least)
                       .statistics),
@@ -231,7 +231,7 @@ class AtTheLimit : public testing::TestWithParam<int> {};
 TEST_P(AtTheLimit, of_a_stage_every_combination_of_signs_is_exact) {
   const Rational m = power_of_two(GetParam()) - 1;
   const std::vector<Shape> shapes = reaching_shapes(m);
-  const std::string expected = GetParam() <= 29 ? "64" : GetParam() <= 124 ? "256" : "gmp";
+  const std::string expected = GetParam() <= 29 ? "64" : GetParam() <= 61 ? "128" : "gmp";
   for (const Shape& p : shapes) {
     for (const Shape& q : shapes) {
       for (int times = 0; times < 4; ++times) {
@@ -243,7 +243,7 @@ TEST_P(AtTheLimit, of_a_stage_every_combination_of_signs_is_exact) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Bits, AtTheLimit, testing::Values(28, 29, 30, 124, 125),
+INSTANTIATE_TEST_SUITE_P(Bits, AtTheLimit, testing::Values(28, 29, 30, 60, 61, 62),
                          testing::PrintToStringParamName());
 
 TEST(Slide, is_exact_where_exponents_of_doubles_are_mixed) {
@@ -268,7 +268,7 @@ TEST(Slide, is_exact_where_denominators_are_large_and_coprime) {
                                {over(1, "3"), over(2, "7")},
                                {over(-4, p1), 2 + over(11, p2)}});
   const Region thin = polygon({{0, over(1, p3)}, {1, over(2, p3)}, {1, over(3, p3)}});
-  EXPECT_EQ(stage(dart, dart), "256");
+  EXPECT_EQ(stage(dart, dart), "128");
   EXPECT_EQ(stage(dart, thin), "gmp");
   expect_as_rca(dart, dart, "dart and dart");
   expect_as_rca(dart, thin, "dart and needle");
@@ -321,7 +321,7 @@ TEST(SlideNumbers, do_not_change_the_result) {
         };
         const ComputedSum needed = with(SlideNumbers::as_needed);
         for (const SlideNumbers larger :
-             {SlideNumbers::at_least_256_bits, SlideNumbers::gmp, SlideNumbers::rationals}) {
+             {SlideNumbers::at_least_128_bits, SlideNumbers::gmp, SlideNumbers::rationals}) {
           const ComputedSum result = with(larger);
           EXPECT_EQ(result.sum, needed.sum) << family.name << ' ' << seed;
           EXPECT_EQ(result.origins, needed.origins) << family.name << ' ' << seed;
