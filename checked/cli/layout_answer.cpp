@@ -154,9 +154,8 @@ std::string svg_answer(const Layout& layout, const Verdicts& verdicts) {
     Layer witnesses{labelled(style::difference, "witness")};
     Layer gaps{labelled(style::dangling_edges, "too near")};
     if (sheet.container) container.region = *sheet.container;
-    const auto add = [](Layer& layer, Region region) {
-      std::move(region.components.begin(), region.components.end(),
-                std::back_inserter(layer.region.components));
+    const auto add = [](Layer& layer, const Region& region) {
+      layer.region = together(std::move(layer.region), region);
     };
     for (const DefectiveZone& defect : sheet.defects) add(defects, defect.region);
     std::set<std::size_t> wrong_parts;

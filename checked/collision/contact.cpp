@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "reference/definitions/contract.hpp"
-
 namespace oplus {
 
 bool is_sector_inside_both(const std::vector<InteriorSides>& rays) {
@@ -19,24 +17,40 @@ bool is_sector_inside_both(const std::vector<InteriorSides>& rays) {
   return false;
 }
 
-void add_rays(const Segment& edge, Summand of, const Point& at, std::vector<BoundaryRay>& rays) {
-  OPLUS_REQUIRES(lies_on(at, edge), "Section 5.1.1");
-  // The interior is to the left of the edge: counterclockwise of the ray ahead, clockwise of the
-  // ray that leads back.
-  if (at != edge.target) rays.push_back({{direction_of(edge), of}, true});
-  if (at != edge.source) rays.push_back({{-direction_of(edge), of}, false});
+namespace {
+
+Vector exact_direction(const BoundaryRay& ray) {
+  return ray.is_ahead ? direction_of(*ray.edge) : -direction_of(*ray.edge);
 }
 
-bool interiors_meet_around(std::vector<BoundaryRay> rays) {
-  std::sort(rays.begin(), rays.end(), [](const BoundaryRay& a, const BoundaryRay& b) {
-    return compare_angle(a.direction.vector, b.direction.vector) < 0;
-  });
+std::optional<bool> is_in_lower_half(const IntervalPoint& v) {
+  const std::optional<int> y = sign(v.y);
+  if (!y) return std::nullopt;
+  if (*y != 0) return *y < 0;
+  const std::optional<int> x = sign(v.x);
+  if (!x) return std::nullopt;
+  return *x < 0;
+}
+
+int compare_angle(const BoundaryRay& a, const BoundaryRay& b) {
+  const std::optional<bool> of_a = is_in_lower_half(a.near), of_b = is_in_lower_half(b.near);
+  if (of_a && of_b) {
+    if (*of_a != *of_b) return *of_a ? 1 : -1;
+    if (const std::optional<int> turn = sign_of_cross(a.near, b.near)) return -*turn;
+  }
+  return compare_angle(exact_direction(a), exact_direction(b));
+}
+
+}  // namespace
+
+bool interiors_meet_around(std::span<BoundaryRay> rays) {
+  std::sort(rays.begin(), rays.end(),
+            [](const BoundaryRay& a, const BoundaryRay& b) { return compare_angle(a, b) < 0; });
   std::vector<InteriorSides> in_order;
+  in_order.reserve(rays.size());
   for (std::size_t i = 0; i < rays.size(); ++i) {
-    if (i == 0 || !same_direction(rays[i - 1].direction.vector, rays[i].direction.vector))
-      in_order.emplace_back();
-    in_order.back()[static_cast<std::size_t>(rays[i].direction.of)] =
-        rays[i].interior_is_counterclockwise;
+    if (i == 0 || compare_angle(rays[i - 1], rays[i]) != 0) in_order.emplace_back();
+    in_order.back()[static_cast<std::size_t>(rays[i].of)] = rays[i].is_ahead;
   }
   return is_sector_inside_both(in_order);
 }

@@ -3,8 +3,10 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <vector>
 
+#include "reference/arithmetic/interval.hpp"
 #include "reference/definitions/direction.hpp"
 #include "reference/definitions/segment.hpp"
 
@@ -21,16 +23,23 @@ using InteriorSides = std::array<std::optional<bool>, 2>;
 /// Evaluates no predicate.
 bool is_sector_inside_both(const std::vector<InteriorSides>& rays);
 
-/// A ray from a contact point along an edge of one summand.
+/// A ray from a contact point along an edge of one summand, ahead or back. The interior is to the left of the edge:
+/// counterclockwise of the ray ahead, clockwise of the ray that leads back.
 struct BoundaryRay {
-  Direction direction;
-  bool interior_is_counterclockwise;  ///< which of its two sides is inside its summand
+  const Segment* edge;  ///< wherever it is moved to
+  IntervalPoint near;   ///< the direction of the ray
+  bool is_ahead;
+  Summand of;
 };
 
-/// Appends the rays along an edge that passes through `at` or has an end there.
-void add_rays(const Segment& edge, Summand of, const Point& at, std::vector<BoundaryRay>& rays);
+inline BoundaryRay ray_along(const Segment& edge, const IntervalSegment& certified, bool is_ahead,
+                             Summand of) {
+  return {&edge,
+          is_ahead ? certified.target - certified.source : certified.source - certified.target,
+          is_ahead, of};
+}
 
-/// The same for rays in any order, those of the two summands each on its own.
-bool interiors_meet_around(std::vector<BoundaryRay> rays);
+/// As is_sector_inside_both, for rays in any order, those of the two summands each on its own. Sorts them.
+bool interiors_meet_around(std::span<BoundaryRay> rays);
 
 }  // namespace oplus

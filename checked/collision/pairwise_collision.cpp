@@ -24,10 +24,36 @@ class Query {
 
   /// Returns whether the pair crosses; remembers it where it touches.
   bool visit(std::size_t i, std::size_t j) {
-    const std::optional<bool> crosses = do_cross(i, j);
-    if (crosses) return *crosses;
-    for (Point& at : intersection(p_.pieces[i], piece_of_q(j)))
-      contacts_.push_back({std::move(at), i, j});
+    const auto& [a, b] = p_.pieces.certified(i);
+    const auto [c, d] = translated(minus_q_.pieces.certified(j), by_);
+    const Segment& of_p = p_.pieces[i];
+    const auto side_of_p = [&](const IntervalPoint& near, Point Segment::*end) {
+      const std::optional<int> known = orientation(a, b, near);
+      return known ? *known : orientation(of_p.source, of_p.target, piece_of_q(j).*end);
+    };
+    const int of_c = side_of_p(c, &Segment::source), of_d = side_of_p(d, &Segment::target);
+    if (of_c == of_d && of_c != 0) return false;
+    const auto side_of_q = [&](const IntervalPoint& near, const Point& exact) {
+      if (const std::optional<int> known = orientation(c, d, near)) return *known;
+      const Segment& of_q = piece_of_q(j);
+      return orientation(of_q.source, of_q.target, exact);
+    };
+    const int of_a = side_of_q(a, of_p.source), of_b = side_of_q(b, of_p.target);
+    if (of_a == of_b && of_a != 0) return false;
+    if (of_a * of_b < 0 && of_c * of_d < 0) return true;
+    const End ends[] = {{a, Summand::P, i, &Segment::source},
+                        {b, Summand::P, i, &Segment::target},
+                        {c, Summand::Q, j, &Segment::source},
+                        {d, Summand::Q, j, &Segment::target}};
+    if (of_c != 0 || of_d != 0) {  // they meet in one point, which is an end
+      contacts_.push_back({ends[of_a == 0 ? 0 : of_b == 0 ? 1 : of_c == 0 ? 2 : 3], i, j});
+      return false;
+    }
+    for (std::size_t k = 0; k < 4; ++k) {
+      const std::size_t other = k < 2 ? 2 : 0;
+      if (compare(ends[other], ends[k]) * compare(ends[k], ends[other + 1]) >= 0)
+        contacts_.push_back({ends[k], i, j});
+    }
     return false;
   }
 
@@ -37,46 +63,52 @@ class Query {
   }
 
  private:
-  /// Whether they cross properly; empty where they don't, but may have contact.
-  std::optional<bool> do_cross(std::size_t i, std::size_t j) const {
-    const auto& [a, b] = p_.pieces.certified(i);
-    const auto [c, d] = translated(minus_q_.pieces.certified(j), by_);
-    const std::optional<int> ab_c = orientation(a, b, c);
-    const std::optional<int> ab_d = orientation(a, b, d);
-    if (ab_c && ab_d) {
-      if (*ab_c == *ab_d && *ab_c != 0) return false;
-      const std::optional<int> cd_a = orientation(c, d, a);
-      const std::optional<int> cd_b = orientation(c, d, b);
-      if (cd_a && cd_b) {
-        if (*cd_a == *cd_b && *cd_a != 0) return false;
-        if (*ab_c * *ab_d < 0 && *cd_a * *cd_b < 0) return true;
-        return std::nullopt;
-      }
-    }
-    if (cross_properly(p_.pieces[i], piece_of_q(j))) return true;
-    return std::nullopt;
-  }
+  /// An end of a piece, where it is.
+  struct End {
+    IntervalPoint near;
+    Summand of;
+    std::size_t piece;
+    Point Segment::*end;
+  };
 
-  Segment piece_of_q(std::size_t j) const {
-    const Segment& s = minus_q_.pieces[j];
-    return is_moved_ ? translated(s, x_) : s;
-  }
-
-  /// A pair that meets in a point, or at an end of an overlap.
+  /// A pair that meets in a point, or at an end of an overlap: that is an end of one.
   struct Contact {
-    Point at;
+    End at;
     std::size_t i, j;
   };
+
+  const Segment& piece_of_q(std::size_t j) {
+    if (!is_moved_) return minus_q_.pieces[j];
+    if (moved_number_ != j) moved_ = translated(minus_q_.pieces[j], x_);
+    moved_number_ = j;
+    return moved_;
+  }
+
+  /// In the order of the plane.
+  int compare(const End& a, const End& b) {
+    std::optional<int> known = oplus::compare(a.near.x, b.near.x);
+    if (known == 0) known = oplus::compare(a.near.y, b.near.y);
+    if (known) return *known;
+    const Point of_a = exact(a);
+    const auto order = of_a <=> exact(b);
+    return (order > 0) - (order < 0);
+  }
+
+  const Point& exact(const End& end) {
+    return (end.of == Summand::P ? p_.pieces[end.piece] : piece_of_q(end.piece)).*end.end;
+  }
 
   /// Pieces meet others of their summand in common ends only: so all that pass through a contact are in
   /// pairs that meet there, and no vertex is inside an overlap.
   bool meet_at_contacts() {
     std::sort(contacts_.begin(), contacts_.end(),
-              [](const Contact& a, const Contact& b) { return a.at < b.at; });
+              [&](const Contact& a, const Contact& b) { return compare(a.at, b.at) < 0; });
     for (auto first = contacts_.begin(); first != contacts_.end();) {
-      const auto last = std::find_if(first, contacts_.end(),
-                                     [&](const Contact& other) { return other.at != first->at; });
-      if (interiors_meet_around(rays({&*first, static_cast<std::size_t>(last - first)})) &&
+      const auto last = std::find_if(first, contacts_.end(), [&](const Contact& other) {
+        return compare(other.at, first->at) != 0;
+      });
+      collect_rays({&*first, static_cast<std::size_t>(last - first)});
+      if (interiors_meet_around(rays_) &&
           !OPLUS_MUTANT("weak-intersections-never-meet",
                         "boundaries that meet without a proper crossing are taken to touch only"))
         return true;
@@ -86,21 +118,25 @@ class Query {
   }
 
   /// All rays of both boundaries at a contact.
-  std::vector<BoundaryRay> rays(std::span<const Contact> at_one_point) const {
-    std::vector<std::size_t> of_p, of_q;
-    for (const Contact& contact : at_one_point) {
-      of_p.push_back(contact.i);
-      of_q.push_back(contact.j);
+  void collect_rays(std::span<const Contact> at_one_point) {
+    rays_.clear();
+    const End& at = at_one_point.front().at;
+    for (const Summand of : {Summand::P, Summand::Q}) {
+      const bool is_p = of == Summand::P;
+      here_.clear();
+      for (const Contact& contact : at_one_point) here_.push_back(is_p ? contact.i : contact.j);
+      std::sort(here_.begin(), here_.end());
+      here_.erase(std::unique(here_.begin(), here_.end()), here_.end());
+      const SegmentTree& pieces = is_p ? p_.pieces : minus_q_.pieces;
+      for (const std::size_t k : here_) {
+        const IntervalSegment& near = pieces.certified(k);
+        const IntervalSegment moved = is_p ? near : translated(near, by_);
+        if (compare(at, {moved.target, of, k, &Segment::target}) != 0)
+          rays_.push_back(ray_along(pieces[k], near, true, of));
+        if (compare(at, {moved.source, of, k, &Segment::source}) != 0)
+          rays_.push_back(ray_along(pieces[k], near, false, of));
+      }
     }
-    for (std::vector<std::size_t>* pieces : {&of_p, &of_q}) {
-      std::sort(pieces->begin(), pieces->end());
-      pieces->erase(std::unique(pieces->begin(), pieces->end()), pieces->end());
-    }
-    const Point& at = at_one_point.front().at;
-    std::vector<BoundaryRay> result;
-    for (const std::size_t i : of_p) add_rays(p_.pieces[i], Summand::P, at, result);
-    for (const std::size_t j : of_q) add_rays(piece_of_q(j), Summand::Q, at, result);
-    return result;
   }
 
   TouchedChains touched_by_contacts() const {
@@ -117,7 +153,11 @@ class Query {
   const Point& x_;
   const IntervalPoint by_;
   const bool is_moved_ = x_ != Point{};
+  Segment moved_;  ///< the last one that was needed exactly
+  std::optional<std::size_t> moved_number_;
   std::vector<Contact> contacts_;
+  std::vector<std::size_t> here_;
+  std::vector<BoundaryRay> rays_;
 };
 
 /// The collision test by pairs of boundary pieces (thesis, Section 5.1): a proper crossing of two

@@ -3,11 +3,14 @@
 
 #include <utility>
 
+#include "checked/collision/collision_test.hpp"
+#include "checked/collision/summand_boundary.hpp"
 #include "checked/distance/nearest_segments.hpp"
 #include "checked/distance/ways_out.hpp"
-#include "checked/operations/operations.hpp"
 #include "checked/slide/slide.hpp"
+#include "reference/chains/frame.hpp"
 #include "reference/definitions/contract.hpp"
+#include "reference/definitions/exact_box.hpp"
 #include "reference/definitions/mutant.hpp"
 #include "reference/definitions/region.hpp"
 #include "reference/definitions/unbounded.hpp"
@@ -42,6 +45,12 @@ NearestPoints nearest_points(const Region& p, const SegmentTree& of_p, const Reg
   return nearest_points(of_p, of_q);
 }
 
+std::optional<Overlap> depth_of_bounded(const Region& p, const Region& q) {
+  const SummandBoundary of_p(p), of_q(q);
+  if (!interiors_meet(of_p, of_q, {})) return std::nullopt;
+  return way_out(of_p.pieces, of_q.pieces, {}, nearest_boundary(p, reflected(q)));
+}
+
 }  // namespace
 
 NearestPoints distance(const Region& p, const Region& q) {
@@ -51,15 +60,20 @@ NearestPoints distance(const Region& p, const Region& q) {
 
 std::optional<Overlap> depth(const Region& p, const Region& q) {
   if (p.components.empty() || q.components.empty()) return std::nullopt;
-  SegmentTree of_p(edges(p)), of_q(edges(q));
-  if (sgn(nearest_points(p, of_p, q, of_q).squared_distance) > 0) return std::nullopt;
-  const PlanarSet set = no_fit(p, q, [](const Region& a, const Region& b, Boundary boundary) {
-    return slide_sum(a, b, boundary).sum;
-  });
-  // They have a common point, so the origin is in the no-fit polygon or on its boundary, where they only touch.
-  Overlap way_out = WaysOut(std::move(of_p), std::move(of_q), set).from({});
-  if (sgn(way_out.squared_depth) == 0) return std::nullopt;
-  return way_out;
+  const bool is_framed = is_unbounded(p) || is_unbounded(q);
+  if (!is_framed) return depth_of_bounded(p, q);
+  const std::vector<Segment> of_p = edges(p), of_q = edges(q);
+  if ((is_unbounded(p) && is_unbounded(q)) || of_p.empty() || of_q.empty()) refuse_to_part();
+  // Q touches P only where it is moved to a place in the sum of the boxes around the boundaries of P and -Q. The frame
+  // is so far away that it contains both, and that the frame of the no-fit polygon is further away than these places.
+  const ExactBox box_p = box_around(of_p), box_q = box_around(of_q);
+  const Vector low = box_p.low - box_q.high, high = box_p.high - box_q.low;
+  const Rational margin = 1 + 2 * Rational(abs(low.x) + abs(low.y) + abs(high.x) + abs(high.y));
+  std::optional<Overlap> overlap = depth_of_bounded(framed(p, margin), framed(q, margin));
+  if (!overlap) return std::nullopt;
+  const Vector& x = overlap->move;
+  if (x.x < low.x || x.x > high.x || x.y < low.y || x.y > high.y) refuse_to_part();
+  return overlap;
 }
 
 }  // namespace oplus

@@ -15,7 +15,8 @@ NearestPoints distance(const Region& p, const Region& q);
 
 /// Returns a shortest move of Q after which the interiors of P and Q don't meet: the point of the complement of
 /// their no-fit polygon that is nearest to the origin, exact fits included. Returns none where the interiors
-/// don't meet as they are. Throws InvalidInput where they meet after all moves. Cost: that of the no-fit polygon.
+/// don't meet as they are. Throws InvalidInput where they meet after all moves. Cost: at most that of the no-fit
+/// polygon; much less where the overlap is not deep.
 std::optional<Overlap> depth(const Region& p, const Region& q);
 
 }  // namespace oplus

@@ -28,25 +28,28 @@ std::vector<Segment> boundary_of(const PlanarSet& set) {
 WaysOut::WaysOut(SegmentTree p, SegmentTree q, const PlanarSet& no_fit)
     : p_(std::move(p)), q_(std::move(q)), boundary_(boundary_of(no_fit)) {}
 
-Overlap WaysOut::from(const Vector& x) const {
-  if (boundary_.empty())
-    throw InvalidInput({"depth", 0, 0}, "Q overlaps P wherever it is moved to",
-                       "regions that can be moved apart");
-  NearestPoints nearest = nearest_points(SegmentTree(std::vector<Segment>{{x, x}}), boundary_);
-  return {nearest.on_q - x, std::move(nearest.squared_distance), contact_at(nearest.on_q)};
+void refuse_to_part() {
+  throw InvalidInput({"depth", 0, 0}, "Q overlaps P wherever it is moved to",
+                     "regions that can be moved apart");
 }
 
-/// The boundaries have a point in common wherever a region moved a little overlaps the other, and it does not.
-Point WaysOut::contact_at(const Vector& x) const {
-  const IntervalPoint way = interval(x);
+Overlap WaysOut::from(const Vector& x) const { return way_out(p_, q_, x, boundary_); }
+
+Overlap way_out(const SegmentTree& p, const SegmentTree& q, const Vector& from,
+                const SegmentTree& boundary) {
+  if (boundary.empty()) refuse_to_part();
+  NearestPoints nearest = nearest_points(SegmentTree(std::vector<Segment>{{from, from}}), boundary);
+  // The boundaries have a point in common wherever a region moved a little overlaps the other, and it does not.
+  const Vector& x = nearest.on_q;
+  const IntervalPoint near_x = interval(x);
   std::vector<Point> common;
-  [[maybe_unused]] const bool touch = p_.visit_meeting(q_, x, [&](std::size_t i, std::size_t j) {
-    if (squared_distance(p_.certified(i), translated(q_.certified(j), way)).low > 0) return false;
-    common = intersection(p_[i], {q_[j].source + x, q_[j].target + x});
+  [[maybe_unused]] const bool touch = p.visit_meeting(q, x, [&](std::size_t i, std::size_t j) {
+    if (squared_distance(p.certified(i), translated(q.certified(j), near_x)).low > 0) return false;
+    common = intersection(p[i], {q[j].source + x, q[j].target + x});
     return !common.empty();
   });
   OPLUS_ENSURES(touch, "regions touch on the boundary of their no-fit polygon");
-  return common.at(0);
+  return {x - from, std::move(nearest.squared_distance), common.at(0)};
 }
 
 }  // namespace oplus

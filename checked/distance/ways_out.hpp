@@ -20,9 +20,15 @@ class WaysOut {
   Overlap from(const Vector& x) const;
 
  private:
-  Point contact_at(const Vector& x) const;
-
   SegmentTree p_, q_, boundary_;
 };
+
+/// A way out of an overlap, from where Q is, to the nearest of some parts of the boundary of the no-fit polygon.
+/// Requires: the regions touch after that move. Throws InvalidInput where there is no such part.
+Overlap way_out(const SegmentTree& p, const SegmentTree& q, const Vector& from,
+                const SegmentTree& boundary);
+
+/// Throws InvalidInput: Q overlaps P wherever it is moved to.
+[[noreturn]] void refuse_to_part();
 
 }  // namespace oplus

@@ -17,6 +17,7 @@
 #include "reference/chains/frame.hpp"
 #include "reference/chains/region_of.hpp"
 #include "reference/definitions/exact_box.hpp"
+#include "reference/definitions/mutant.hpp"
 #include "reference/definitions/region.hpp"
 #include "reference/io/invalid_input.hpp"
 
@@ -24,47 +25,79 @@ namespace oplus {
 
 namespace {
 
+/// The common denominator of the coordinates of a sheet, or 1 where that is too large. Multiplied by it, coordinates are
+/// integers, and doubles decide contacts.
+class Unit {
+ public:
+  explicit Unit(const Sheet& sheet) {
+    for (const PlacedPart& part : sheet.parts) {
+      add(part.at);
+      add(*part.shape);
+    }
+    if (sheet.container) add(*sheet.container);
+    for (const DefectiveZone& defect : sheet.defects) add(defect.region);
+    if (mpz_sizeinbase(value_.get_mpz_t(), 2) > most_bits) value_ = 1;
+  }
+
+  Rational of(const Rational& length) const { return value_ == 1 ? length : length * value_; }
+  Point of(const Point& x) const { return {of(x.x), of(x.y)}; }
+  SummandBoundary boundary_of(const Region& region) const {
+    if (value_ == 1) return SummandBoundary(region);
+    return SummandBoundary(mapped(region, [&](const Point& x) { return of(x); }));
+  }
+  Rational back(const Rational& length) const { return length / value_; }
+  Point back(const Point& x) const { return {back(x.x), back(x.y)}; }
+
+ private:
+  static constexpr std::size_t most_bits = 40;
+
+  void add(const Region& region) {
+    for (const Component& component : region.components) {
+      for (const Point& x : component.outer) add(x);
+      for (const Chain& hole : component.holes)
+        for (const Point& x : hole) add(x);
+    }
+  }
+  void add(const Point& x) {
+    for (const Rational* value : {&x.x, &x.y})
+      if (mpz_divisible_p(value_.get_mpz_t(), value->get_den_mpz_t()) == 0 &&
+          mpz_sizeinbase(value_.get_mpz_t(), 2) <= most_bits)
+        value_ = lcm(value_, value->get_den());
+  }
+
+  mpz_class value_ = 1;
+};
+
 /// A shape, and what tests of many pairs need.
 struct Shape {
-  explicit Shape(const Region& its_region)
-      : region(its_region), boundary(region), area(oplus::area(region)) {}
+  Shape(const Region& its_region, const Unit& unit)
+      : region(its_region), boundary(unit.boundary_of(region)), area(oplus::area(region)) {}
 
   const Region& region;
-  SummandBoundary boundary;
+  SummandBoundary boundary;  ///< in units
   Rational area;
 };
 
-/// A region of a pair, where it is.
+/// A shape of a pair, where it is.
 struct Body {
   const Shape& shape;
-  Vector at;
-  Box box;
+  Vector at;                         ///< in units
   std::optional<SegmentTree> moved;  ///< the boundary where it is, if distances are asked for
 
   const SegmentTree& edges() const { return moved ? *moved : shape.boundary.pieces; }
 
-  ExactBox exact_box() const {
-    ExactBox result(shape.boundary.around[0].source + at);
-    result.add(shape.boundary.around[0].target + at);
-    return result;
-  }
+  /// From corner to corner of its box.
+  Segment diagonal() const { return translated(shape.boundary.around[0], at); }
 };
-
-Body body(const Shape& shape, const Vector& at) {
-  return {shape, at, box_of(translated(shape.boundary.around.certified(0), interval(at))), {}};
-}
-
-Region both(Region a, const Region& b) {
-  a.components.insert(a.components.end(), b.components.begin(), b.components.end());
-  return a;
-}
 
 Region united(const Region& region) { return region_of(union_of(region)); }
 
 /// What some parts must not overlap: all outside of the container, and defects.
 struct Forbidden {
-  Forbidden(Region forbidden, const Rational& margin)
-      : region(std::move(forbidden)), in_frame(framed(region, margin)), framed_shape(in_frame) {}
+  Forbidden(Region forbidden, const Rational& margin, const Unit& unit)
+      : region(std::move(forbidden)),
+        in_frame(framed(region, margin)),
+        framed_shape(in_frame, unit) {}
 
   Region region;  ///< unbounded
   Region in_frame;
@@ -74,7 +107,11 @@ struct Forbidden {
 class SheetCheck {
  public:
   SheetCheck(const Sheet& sheet, const LayoutRules& rules, unsigned threads)
-      : sheet_(sheet), rules_(rules), threads_(threads) {}
+      : sheet_(sheet),
+        rules_(rules),
+        threads_(threads),
+        unit_(sheet),
+        outside_(sheet.container ? outside_of(*sheet.container) : Region{}) {}
 
   SheetVerdict run() {
     place();
@@ -95,6 +132,12 @@ class SheetCheck {
   }
 
  private:
+  static Region outside_of(const Region& container) {
+    const bool is_filled =
+        OPLUS_MUTANT("layouts-fill-holes", "parts may lie in the holes of a container");
+    return complement(is_filled ? polygon(container.components.at(0).outer) : container);
+  }
+
   struct Pair {
     std::optional<std::size_t> other;
     std::size_t part;
@@ -114,65 +157,67 @@ class SheetCheck {
       if (numbers.emplace(part.shape.get(), regions.size()).second)
         regions.push_back(part.shape.get());
     shapes_.resize(regions.size());
-    slide::parallel_for(regions.size(), threads_,
-                        [&](std::size_t i) { shapes_[i] = std::make_unique<Shape>(*regions[i]); });
+    slide::parallel_for(regions.size(), threads_, [&](std::size_t i) {
+      shapes_[i] = std::make_unique<Shape>(*regions[i], unit_);
+    });
     for (const PlacedPart& part : sheet_.parts)
-      parts_.push_back(body(*shapes_[numbers.at(part.shape.get())], part.at));
+      parts_.push_back({*shapes_[numbers.at(part.shape.get())], unit_.of(part.at), {}});
     if (sgn(rules_.spacing) == 0 && sgn(rules_.margin) == 0) return;
     slide::parallel_for(parts_.size(), threads_, [&](std::size_t i) {
       Body& part = parts_[i];
       if (part.at == Vector{}) return;
+      const SegmentTree& pieces = part.shape.boundary.pieces;
       std::vector<Segment> moved;
-      for (const Segment& e : edges(part.shape.region)) moved.push_back(translated(e, part.at));
+      for (std::size_t k = 0; k < pieces.size(); ++k)
+        moved.push_back(translated(pieces[k], part.at));
       part.moved.emplace(std::move(moved));
     });
   }
 
-  /// The box around all parts.
-  std::optional<ExactBox> box() const {
-    std::optional<ExactBox> all;
+  /// The box around all parts. Requires: there is one.
+  ExactBox box() const {
+    ExactBox all(parts_.at(0).diagonal().source);
     for (const Body& part : parts_) {
-      const ExactBox one = part.exact_box();
-      if (!all) all = one;
-      all->add(one.low);
-      all->add(one.high);
+      const auto [low, high] = part.diagonal();
+      all.add(low);
+      all.add(high);
     }
+    all.low = unit_.back(all.low);
+    all.high = unit_.back(all.high);
     return all;
   }
 
   void forbid() {
-    if (!sheet_.container && sheet_.defects.empty()) return;
-    const Region outside = sheet_.container ? complement(*sheet_.container) : Region{};
-    std::optional<ExactBox> all = box();
-    if (!all) return;
-    for (const Segment& edge : edges(outside)) all->add(edge.source);
-    const Rational margin = all->high.x - all->low.x + all->high.y - all->low.y;
+    if ((!sheet_.container && sheet_.defects.empty()) || parts_.empty() ||
+        OPLUS_MUTANT("layouts-have-no-container", "parts may lie outside of the container"))
+      return;
+    ExactBox all = box();
+    for (const Segment& edge : edges(outside_)) all.add(edge.source);
+    const Rational margin = all.high.x - all.low.x + all.high.y - all.low.y;
     for (const PlacedPart& part : sheet_.parts) {
       std::unique_ptr<Forbidden>& forbidden = forbidden_[part.least_quality];
       if (forbidden) continue;
-      Region region = outside;
+      Region region = outside_;
       for (const DefectiveZone& defect : sheet_.defects)
         if (!part.least_quality || defect.quality < *part.least_quality)
-          region = both(std::move(region), defect.region);
-      forbidden = std::make_unique<Forbidden>(united(region), margin);
+          region = together(std::move(region), defect.region);
+      forbidden = std::make_unique<Forbidden>(united(region), margin, unit_);
     }
   }
 
-  /// Those whose boxes are not too far apart. Parts are passed from left to right.
+  /// Those whose boxes are not too far apart.
   std::vector<Pair> near_pairs() const {
     std::vector<Pair> pairs;
     for (std::size_t i = 0; i < parts_.size() && !forbidden_.empty(); ++i)
       pairs.push_back({std::nullopt, i});
-    std::vector<std::pair<Box, std::size_t>> boxes;
+    std::vector<Segment> diagonals;
+    for (const Body& part : parts_) diagonals.push_back(part.diagonal());
+    const SegmentTree tree(std::move(diagonals));
+    const double gap = interval(unit_.of(rules_.spacing)).high;
     for (std::size_t i = 0; i < parts_.size(); ++i)
-      boxes.emplace_back(enlarged(parts_[i].box, interval(rules_.spacing).high), i);
-    std::sort(boxes.begin(), boxes.end(), [](const auto& a, const auto& b) {
-      return std::pair(a.first.low_x, a.second) < std::pair(b.first.low_x, b.second);
-    });
-    for (auto a = boxes.begin(); a != boxes.end(); ++a)
-      for (auto b = std::next(a); b != boxes.end() && b->first.low_x <= a->first.high_x; ++b)
-        if (meet(a->first, parts_[b->second].box))
-          pairs.push_back({std::min(a->second, b->second), std::max(a->second, b->second)});
+      tree.look_at_meeting(enlarged(box_of(tree.certified(i)), gap), [&](std::size_t j) {
+        if (i < j) pairs.push_back({i, j});
+      });
     std::sort(pairs.begin(), pairs.end());
     return pairs;
   }
@@ -191,20 +236,32 @@ class SheetCheck {
     const Forbidden* forbidden =
         pair.other ? nullptr : forbidden_.at(sheet_.parts[pair.part].least_quality).get();
     const Shape& p = forbidden ? forbidden->framed_shape : parts_[*pair.other].shape;
-    const Vector p_at = forbidden ? Vector{} : parts_[*pair.other].at;
-    const Rational& gap = forbidden ? rules_.margin : rules_.spacing;
-    const bool do_meet = interiors_meet(p.boundary, q.shape.boundary, q.at - p_at);
+    const Rational& gap =
+        forbidden || OPLUS_MUTANT("layouts-have-one-margin", "parts keep the margin to each other")
+            ? rules_.margin
+            : rules_.spacing;
+    const bool do_meet = interiors_meet(p.boundary, q.shape.boundary,
+                                        forbidden ? q.at : q.at - parts_[*pair.other].at);
     if (!do_meet && sgn(gap) == 0) return;
     if (!do_meet) {
       const SegmentTree& of_p = forbidden ? p.boundary.pieces : parts_[*pair.other].edges();
       NearestPoints nearest = nearest_points(of_p, q.edges());
-      if (nearest.squared_distance < gap * gap) fault(std::move(nearest));
+      const Rational most = unit_.of(gap);
+      if (nearest.squared_distance < most * most ||
+          OPLUS_MUTANT("layouts-count-boxes-as-near", "parts whose boxes are near are too near"))
+        fault(NearestPoints{unit_.back(unit_.back(nearest.squared_distance)),
+                            unit_.back(nearest.on_p), unit_.back(nearest.on_q)});
       return;
     }
-    const Region of_q = translated(q.shape.region, q.at);
-    const Region of_p = forbidden ? forbidden->region : translated(p.region, p_at);
+    const Region of_q = translated(q.shape.region, sheet_.parts[pair.part].at);
+    const Region of_p =
+        forbidden ? forbidden->region : translated(p.region, sheet_.parts[*pair.other].at);
     std::optional<Overlap> way_out = way_out_of(of_p, of_q);
-    if (!way_out || way_out->squared_depth > rules_.tolerance * rules_.tolerance)
+    const Rational forgiven = OPLUS_MUTANT("layouts-forgive-by-the-square",
+                                           "the square of a depth is compared with the tolerance")
+                                  ? rules_.tolerance
+                                  : Rational(rules_.tolerance * rules_.tolerance);
+    if (!way_out || way_out->squared_depth > forgiven)
       return fault(found(forbidden ? p.region : of_p, of_q, std::move(way_out)));
     ++result.forgiven;
     if (sgn(gap) > 0) fault(distance(of_p, of_q));
@@ -220,25 +277,27 @@ class SheetCheck {
 
   static OverlapFound found(const Region& p, const Region& q, std::optional<Overlap> way_out) {
     const std::optional<Point> witness = Overlay({p, {}, {}}, canonical_sum(q)).common_point();
-    return {witness.value(), oplus::area(p) + oplus::area(q) - oplus::area(united(both(p, q))),
+    return {witness.value(), oplus::area(p) + oplus::area(q) - oplus::area(united(together(p, q))),
             std::move(way_out)};
   }
 
   Rational area() const {
     if (sheet_.container) {
-      Region outside = complement(*sheet_.container);
+      Region outside = outside_;
       for (const DefectiveZone& defect : sheet_.defects)
-        outside = both(std::move(outside), defect.region);
+        outside = together(std::move(outside), defect.region);
       return -oplus::area(united(outside));
     }
-    const std::optional<ExactBox> all = box();
-    if (!all) return 0;
-    return (all->high.x - all->low.x) * (all->high.y - all->low.y);
+    if (parts_.empty()) return 0;
+    const ExactBox all = box();
+    return (all.high.x - all.low.x) * (all.high.y - all.low.y);
   }
 
   const Sheet& sheet_;
   const LayoutRules& rules_;
   const unsigned threads_;
+  const Unit unit_;
+  const Region outside_;  ///< of the container; empty where there is none
   std::vector<std::unique_ptr<Shape>> shapes_;
   std::vector<Body> parts_;
   std::map<std::optional<int>, std::unique_ptr<Forbidden>> forbidden_;

@@ -148,7 +148,8 @@ OpenCandidates<Numbers> low_dimensional_candidates(const ReducedSegments<Numbers
 }
 
 /// Decides which of the candidates, and of the sums of points in which chains touch (docs/findings.md,
-/// on Theorem 2.3.2), are not in the open sum. `boundary` is that of the closed sum.
+/// on Theorem 2.3.2), are not in the open sum. `boundary` is that of the closed sum; points
+/// on what is left out of it count as isolated.
 template <typename Numbers>
 LowDimensionalFeatures low_dimensional_features(const ReducedSegments<Numbers>& segments,
                                                 const RaysOfBoth<Numbers>& rays,
@@ -168,7 +169,8 @@ LowDimensionalFeatures low_dimensional_features(const ReducedSegments<Numbers>& 
   of_boundary.reserve(boundary.pieces.size());
   for (const BoundaryPiece& piece : boundary.pieces)
     of_boundary.emplace_back(&boundary.points[piece.from], &boundary.points[piece.to]);
-  const PointLocation<Numbers> on_boundary(std::move(of_boundary), scaling);
+  std::optional<PointLocation<Numbers>> on_boundary;
+  if (!of_boundary.empty()) on_boundary.emplace(std::move(of_boundary), scaling);
   std::vector<char> is_outside(pieces.size() + points.size());
   const auto decide = [&](std::size_t first, std::size_t last) {
     OpenSumTest<Numbers> open_sum(summands, rays);
@@ -178,7 +180,8 @@ LowDimensionalFeatures low_dimensional_features(const ReducedSegments<Numbers>& 
         is_outside[i] = !open_sum.contains_by_components(segments[segment], place_inside(piece));
       } else {
         const auto& [segment, t, point, near] = points[i - pieces.size()];
-        is_outside[i] = !on_boundary.is_on_one(point) && !open_sum.contains(segment, t);
+        is_outside[i] =
+            !(on_boundary && on_boundary->is_on_one(point)) && !open_sum.contains(segment, t);
       }
     }
   };

@@ -24,21 +24,30 @@ Denominators denominators_for(const EngineOptions& options) {
   return options.numbers == SlideNumbers::as_needed ? Denominators::alike : Denominators::any;
 }
 
+/// Calls compute.operator()<Numbers>(scaling) with numbers in which both can be computed.
+template <typename Compute>
+auto in_numbers_for(const Region& p, const Region& q, const Extent& of_p, const Extent& of_q,
+                    SlideNumbers numbers, const Compute& compute) {
+  if (numbers == SlideNumbers::rationals ||
+      (numbers == SlideNumbers::as_needed && has_unlike_denominators(of_p, of_q)))
+    return compute.template operator()<RationalNumbers>(scaling_of_rationals(p, q));
+  const Scaling scaling = scaling_of(of_p, of_q);
+  if (numbers == SlideNumbers::as_needed && scaling.bits <= SmallNumbers::bits)
+    return compute.template operator()<SmallNumbers>(scaling);
+  if (numbers != SlideNumbers::gmp && scaling.bits <= WideNumbers::bits)
+    return compute.template operator()<WideNumbers>(scaling);
+  return compute.template operator()<AnyNumbers>(scaling);
+}
+
 /// Summands are regions, or prepared ones.
 template <typename OneSummand>
 ComputedSum sum_of(const OneSummand& p, const OneSummand& q, const Region& region_p,
                    const Region& region_q, const Extent& extent_p, const Extent& extent_q,
                    Boundary boundary, const EngineOptions& options) {
-  if (options.numbers == SlideNumbers::rationals ||
-      (options.numbers == SlideNumbers::as_needed && has_unlike_denominators(extent_p, extent_q)))
-    return sum_in<RationalNumbers>(p, q, scaling_of_rationals(region_p, region_q), boundary,
-                                   options);
-  const Scaling scaling = scaling_of(extent_p, extent_q);
-  if (options.numbers == SlideNumbers::as_needed && scaling.bits <= SmallNumbers::bits)
-    return sum_in<SmallNumbers>(p, q, scaling, boundary, options);
-  if (options.numbers != SlideNumbers::gmp && scaling.bits <= WideNumbers::bits)
-    return sum_in<WideNumbers>(p, q, scaling, boundary, options);
-  return sum_in<AnyNumbers>(p, q, scaling, boundary, options);
+  return in_numbers_for(region_p, region_q, extent_p, extent_q, options.numbers,
+                        [&]<typename Numbers>(const Scaling& scaling) {
+                          return sum_in<Numbers>(p, q, scaling, boundary, options);
+                        });
 }
 
 ComputedSum sum_with_nothing() {
@@ -57,6 +66,12 @@ ComputedSum slide_sum(const Region& p, const Region& q, Boundary boundary,
   const Denominators denominators = denominators_for(options);
   return sum_of(p, q, p, q, extent_of(p, denominators), extent_of(q, denominators), boundary,
                 options);
+}
+
+std::vector<Segment> nearest_boundary(const Region& p, const Region& q) {
+  return in_numbers_for(
+      p, q, extent_of(p), extent_of(q), SlideNumbers::as_needed,
+      [&]<typename Numbers>(const Scaling& scaling) { return nearest_in<Numbers>(p, q, scaling); });
 }
 
 ComputedSum sum_of_prepared(const PreparedSummand& p, const PreparedSummand& q, Boundary boundary,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <vector>
+
 #include "checked/engine.hpp"
 #include "checked/slide/prepared_summand.hpp"
 #include "checked/slide/scaling.hpp"
@@ -15,5 +17,9 @@ ComputedSum sum_in(const Region& p, const Region& q, const Scaling& scaling, Bou
 template <typename Numbers>
 ComputedSum sum_in(const PreparedSummand& p, const PreparedSummand& q, const Scaling& scaling,
                    Boundary boundary, const EngineOptions& options);
+
+/// nearest_boundary (slide.hpp), likewise.
+template <typename Numbers>
+std::vector<Segment> nearest_in(const Region& p, const Region& q, const Scaling& scaling);
 
 }  // namespace oplus::slide

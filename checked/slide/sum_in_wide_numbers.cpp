@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "checked/slide/nearest_in_numbers.hpp"
 #include "checked/slide/sum_in_numbers.hpp"
 
 namespace oplus::slide {
@@ -7,5 +8,6 @@ template ComputedSum sum_in<WideNumbers>(const Region&, const Region&, const Sca
                                          const EngineOptions&);
 template ComputedSum sum_in<WideNumbers>(const PreparedSummand&, const PreparedSummand&,
                                          const Scaling&, Boundary, const EngineOptions&);
+template std::vector<Segment> nearest_in<WideNumbers>(const Region&, const Region&, const Scaling&);
 
 }  // namespace oplus::slide

@@ -49,10 +49,7 @@ const std::vector<Extra>& extras() {
       {"complement", false,
        [](const Region& p, const Region&, const SumOf&) { return complement(canonical_sum(p)); }},
       {"union", false,
-       [](Region p, const Region& q, const SumOf&) {
-         p.components.insert(p.components.end(), q.components.begin(), q.components.end());
-         return union_of(p);
-       }},
+       [](Region p, const Region& q, const SumOf&) { return union_of(together(std::move(p), q)); }},
       {"closed-sum", true, operation_called("sum").compute},
       {"path-sum", false,
        [](const Region& p, const Region& q, const SumOf& sum) {

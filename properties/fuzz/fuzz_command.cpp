@@ -38,8 +38,8 @@ struct Settings {
 };
 
 /// In the order in which they are listed.
-const FuzzTarget* const all_targets[] = {&dat_target, &wkt_target, &geojson_target, &sums_target,
-                                         &slide_target};
+const FuzzTarget* const all_targets[] = {&dat_target,  &wkt_target,     &geojson_target,
+                                         &sums_target, &layouts_target, &slide_target};
 
 const FuzzTarget& target_named(const std::string& name) {
   return **std::ranges::find(all_targets, name, &FuzzTarget::name);

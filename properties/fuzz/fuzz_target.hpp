@@ -40,6 +40,7 @@ struct FuzzTarget {
 };
 
 /// In separate files, so that a program for texts need not contain slide.
-extern const FuzzTarget dat_target, wkt_target, geojson_target, sums_target, slide_target;
+extern const FuzzTarget dat_target, wkt_target, geojson_target, sums_target, layouts_target,
+    slide_target;
 
 }  // namespace oplus

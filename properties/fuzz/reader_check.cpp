@@ -7,9 +7,12 @@
 #include <string>
 #include <vector>
 
+#include "checked/layouts/check.hpp"
+#include "checked/layouts/reading.hpp"
 #include "reference/chains/region_of.hpp"
 #include "reference/chains/validity.hpp"
 #include "reference/definitions/planar_set.hpp"
+#include "reference/definitions/region.hpp"
 #include "reference/io/reading.hpp"
 #include "reference/io/writing.hpp"
 
@@ -75,7 +78,52 @@ void require_valid(const Region& region) {
     throw FuzzFinding("an invalid region was read: " + describe(defect->kind));
 }
 
+/// As much as can be checked fast.
+bool is_small(const Sheet& sheet) {
+  std::size_t vertices = sheet.container ? vertex_count(*sheet.container) : 0;
+  for (const PlacedPart& part : sheet.parts) vertices += vertex_count(*part.shape);
+  for (const DefectiveZone& defect : sheet.defects) vertices += vertex_count(defect.region);
+  return sheet.parts.size() <= 8 && vertices <= 60;
+}
+
+/// The parts where they lie.
+Sheet as_polygons(const Sheet& sheet) {
+  std::string text;
+  for (const PlacedPart& part : sheet.parts)
+    text += written(translated(*part.shape, part.at), Format::wkt);
+  Sheet result;
+  if (!text.empty()) result = read_layout(text, file, "", 1).sheets.at(0);
+  return result;
+}
+
 }  // namespace
+
+FuzzOutcome check_layout_reader(std::string_view input) {
+  const std::string text(input);
+  const auto layout_from = [](const std::string& layout) {
+    return read_layout(layout, file, "/nowhere", Rational(1, 1000));
+  };
+  const std::optional<Layout> read = read_or_refused(layout_from, text);
+  if (!read) return FuzzOutcome::rejected;
+  for (const Sheet& sheet : read->sheets) {
+    for (const PlacedPart& part : sheet.parts) require_valid(*part.shape);
+    for (const DefectiveZone& defect : sheet.defects) require_valid(defect.region);
+    if (sheet.container) require_valid(*sheet.container);
+    if (!is_small(sheet)) continue;
+    const SheetVerdict verdict = check(sheet, {Rational(1, 2), Rational(1, 3), Rational(1, 4)}, 1);
+    Rational used;
+    for (const PlacedPart& part : sheet.parts) used += area(*part.shape);
+    require(verdict.used_area == used, "parts have another area than they use");
+    Sheet bare;
+    bare.parts = sheet.parts;
+    std::size_t components = 0;
+    for (const PlacedPart& part : sheet.parts) components += part.shape->components.size();
+    if (components != sheet.parts.size()) continue;  // as polygons there are more parts
+    require(check(bare, {}, 1).faults.size() == check(as_polygons(sheet), {}, 1).faults.size(),
+            "as polygons where they lie, the parts have more faults or fewer");
+  }
+  return FuzzOutcome::reached;
+}
 
 FuzzOutcome check_region_reader(std::string_view input) {
   const std::string text(input);

@@ -21,4 +21,8 @@ FuzzOutcome check_region_reader(std::string_view text);
 /// dangling edges are maximal, its isolated vertices isolated.
 FuzzOutcome check_sum_reader(std::string_view text);
 
+/// That of the readers of layouts: 1 and 2; and what is read can be checked: parts have the area that they use, and
+/// where they are polygons, they have as many faults when they are read as polygons where they lie.
+FuzzOutcome check_layout_reader(std::string_view text);
+
 }  // namespace oplus

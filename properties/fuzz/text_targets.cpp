@@ -32,5 +32,8 @@ const FuzzTarget geojson_target{"geojson",
                                 check_region_reader, mutated_in<Format::geojson>};
 const FuzzTarget sums_target{"sums", "Sums in all formats: read, refused, written and read again",
                              check_sum_reader, mutated_sum};
+const FuzzTarget layouts_target{
+    "layouts", "Layouts in all formats: read, refused, checked, and checked as polygons",
+    check_layout_reader, nullptr};
 
 }  // namespace oplus

@@ -20,11 +20,18 @@ bool is_double(const Rational& value) {
 }  // namespace
 
 Interval interval(const Rational& value) {
-  if (mpz_cmp_ui(value.get_den_mpz_t(), 1) == 0 && mpz_fits_slong_p(value.get_num_mpz_t()) != 0) {
-    const std::int64_t whole = mpz_get_si(value.get_num_mpz_t());
-    constexpr std::int64_t largest = std::int64_t{1} << 53;
-    if (-largest <= whole && whole <= largest)
-      return {static_cast<double>(whole), static_cast<double>(whole)};
+  const mpz_srcptr numerator = value.get_num_mpz_t(), denominator = value.get_den_mpz_t();
+  constexpr std::int64_t largest = std::int64_t{1} << 53;
+  if (mpz_fits_slong_p(numerator) != 0 && mpz_fits_slong_p(denominator) != 0) {
+    const std::int64_t whole = mpz_get_si(numerator), parts = mpz_get_si(denominator);
+    if (-largest <= whole && whole <= largest && parts <= largest) {
+      const auto n = static_cast<double>(whole), d = static_cast<double>(parts);
+      const double near = n / d;
+      if ((parts & (parts - 1)) == 0) return {near, near};
+      // In lowest terms it is no double, and the remainder tells on which side of the quotient it is.
+      const Interval both = outward(near, near);
+      return std::fma(near, d, -n) > 0 ? Interval{both.low, near} : Interval{near, both.high};
+    }
   }
   const double near = value.get_d();  // rounded towards zero
   if (is_double(value)) return {near, near};
@@ -33,9 +40,24 @@ Interval interval(const Rational& value) {
   return sgn(value) < 0 ? -of_size : of_size;
 }
 
+std::optional<int> sign_of_cross(const IntervalPoint& u, const IntervalPoint& v) {
+  if (is_exact(u.x) && is_exact(u.y) && is_exact(v.x) && is_exact(v.y)) {
+    // Rounding is monotonic: where rounded products differ, the products differ in the same way.
+    const double left = u.x.low * v.y.low, right = u.y.low * v.x.low;
+    if (left != right) return left > right ? 1 : -1;
+    if (left == 0 && (u.x.low == 0 || v.y.low == 0) && (u.y.low == 0 || v.x.low == 0)) return 0;
+    if (std::abs(left) > 0x1p-900 && std::abs(left) <= DBL_MAX) {
+      // What rounding took away is a double.
+      const double more = std::fma(u.x.low, v.y.low, -left) - std::fma(u.y.low, v.x.low, -right);
+      return (more > 0) - (more < 0);
+    }
+  }
+  return sign(cross(u, v));
+}
+
 std::optional<int> orientation_of_intervals(const IntervalPoint& a, const IntervalPoint& b,
                                             const IntervalPoint& c) {
-  return sign(cross(b - a, c - a));
+  return sign_of_cross(b - a, c - a);
 }
 
 }  // namespace oplus

@@ -151,6 +151,10 @@ inline int orientation_in_doubles(const IntervalPoint& a, const IntervalPoint& b
   return (left - right > bound) - (left - right < -bound);
 }
 
+/// The sign of the cross product; empty where the intervals do not tell. Of exact numbers they always tell, but
+/// where a product overflows or is extremely small.
+std::optional<int> sign_of_cross(const IntervalPoint& u, const IntervalPoint& v);
+
 /// orientation, where doubles do not show it.
 std::optional<int> orientation_of_intervals(const IntervalPoint& a, const IntervalPoint& b,
                                             const IntervalPoint& c);

@@ -14,6 +14,7 @@ namespace {
 
 void sweep_touching_points(const SweptChains& chains,
                            const std::function<void(const SweptPlace&)>& visit) {
+  if (chains.first_of_chain.size() < 2) return;
   sweep(chains.edges, [&](const SweptPlace& place) {
     if (chains.is_touched(place)) visit(place);
     return true;

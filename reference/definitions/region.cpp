@@ -54,15 +54,32 @@ std::size_t vertex_count(const Region& region) {
 }
 
 Rational twice_area(const Chain& chain) {
-  Rational sum = 0;
-  for (std::size_t i = 0; i < chain.size(); ++i)
-    sum += cross(chain[i], chain[next(i, chain.size())]);
-  return sum;
+  if (chain.empty()) return 0;
+  // All over one denominator, so that no product is reduced to lowest terms.
+  mpz_class common = 1;
+  for (const Point& p : chain) common = lcm(common, lcm(p.x.get_den(), p.y.get_den()));
+  mpz_class sum, last_x, last_y, x, y;
+  const auto pass = [&](const Point& p) {
+    x = common / p.x.get_den() * p.x.get_num();
+    y = common / p.y.get_den() * p.y.get_num();
+    sum += last_x * y;
+    sum -= last_y * x;
+    swap(last_x, x);
+    swap(last_y, y);
+  };
+  pass(chain.back());
+  for (const Point& p : chain) pass(p);
+  Rational twice(sum, common * common);
+  twice.canonicalize();
+  return twice;
 }
 
 Rational area(const Region& region) {
   Rational twice = 0;
-  for (const Chain& chain : chains(region)) twice += twice_area(chain);
+  for (const Component& component : region.components) {
+    twice += twice_area(component.outer);
+    for (const Chain& hole : component.holes) twice += twice_area(hole);
+  }
   return twice / 2;
 }
 
@@ -82,6 +99,11 @@ Region translated(Region region, const Vector& by) {
 
 Region reflected(Region region) {
   return mapped(std::move(region), [](const Point& p) { return -p; });
+}
+
+Region together(Region a, const Region& b) {
+  a.components.insert(a.components.end(), b.components.begin(), b.components.end());
+  return a;
 }
 
 Region polygon(Chain outer) { return {{{std::move(outer), {}}}}; }

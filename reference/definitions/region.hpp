@@ -50,6 +50,9 @@ Region translated(Region region, const Vector& by);
 /// Returns -R: each point p becomes -p. Turns by π, so orientations stay.
 Region reflected(Region region);
 
+/// The components of both. Valid where these are apart, or touch in points only.
+Region together(Region a, const Region& b);
+
 /// A region of one component without holes.
 Region polygon(Chain outer);
 

@@ -84,9 +84,7 @@ std::string broken(const Region& region) {
 /// All chains of P and Q together by a fill rule, on a point of every cell of both and the result.
 Outcome filled(const Summands& summands, FillRule rule) {
   Outcome outcome;
-  Region both = summands.p;
-  both.components.insert(both.components.end(), summands.q.components.begin(),
-                         summands.q.components.end());
+  const Region both = together(summands.p, summands.q);
   const bool was_valid = !find_defect(both);
   const auto [region, mends] = repaired(unchecked(both, "region"), rule);
   ++outcome.counts[was_valid ? "valid regions" : "chains that were filled"];

@@ -26,7 +26,7 @@ Outcome check(const Summands& summands) {
     Region all;
     std::vector<PlanarSet> sets;
     for (const Region& one : polygons) {
-      all.components.insert(all.components.end(), one.components.begin(), one.components.end());
+      all = together(std::move(all), one);
       sets.push_back(canonical_sum(one));
     }
     const PlanarSet union_of_all = union_of(all);

@@ -19,7 +19,17 @@ void add_boundary(unsigned mask, Summand of, std::vector<BoundaryRay>& rays) {
   for (std::size_t i = 0; i < 8; ++i) {
     const bool after = has(mask, i);
     const bool before = has(mask, (i + 7) % 8);
-    if (after != before) rays.push_back({{directions[i], of}, after});
+    if (after == before) continue;
+    static const std::array<std::vector<Segment>, 2> edges = [] {
+      std::array<std::vector<Segment>, 2> all;
+      for (const Vector& direction : directions) {
+        all[0].push_back({direction, {}});
+        all[1].push_back({{}, direction});
+      }
+      return all;
+    }();
+    const Segment& edge = edges[after ? 1 : 0][i];
+    rays.push_back(ray_along(edge, interval(edge), after, of));
   }
 }
 

@@ -28,7 +28,7 @@ constexpr const char* good =
 TEST_F(FuzzCommand, lists_its_targets) {
   const Ran ran = run("oplus-maintain fuzz --list");
   EXPECT_EQ(ran.exit_code, 0);
-  for (const std::string target : {"dat", "wkt", "geojson", "sums", "slide"})
+  for (const std::string target : {"dat", "wkt", "geojson", "sums", "layouts", "slide"})
     EXPECT_NE(("\n" + ran.out).find("\n" + target + " "), std::string::npos) << target;
 }
 

@@ -27,8 +27,7 @@ inline Region holed(const Chain& outer, const std::vector<Chain>& holes) {
 /// The components of all.
 inline Region together(const std::vector<Region>& regions) {
   Region all;
-  for (const Region& region : regions)
-    all.components.insert(all.components.end(), region.components.begin(), region.components.end());
+  for (const Region& region : regions) all = together(std::move(all), region);
   return all;
 }
 

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "checked/distance/distance.hpp"
+#include "checked/distance/ways_out.hpp"
+#include "checked/operations/operations.hpp"
+#include "properties/runner/fitting_pairs.hpp"
+#include "properties/runner/registry.hpp"
+#include "properties/statements/operations/by_slide.hpp"
+#include "reference/definitions/exact_box.hpp"
+#include "reference/definitions/region.hpp"
+#include "reference/io/writing.hpp"
+
+namespace oplus {
+
+namespace {
+
+/// The corners and the middle of the cells of a grid over the places where Q overlaps P.
+std::vector<Vector> places(const Region& p, const Region& q) {
+  const ExactBox of_p = box_around(edges(p)), of_q = box_around(edges(q));
+  const Vector low = of_p.low - of_q.high, size = of_p.high - of_q.low - low;
+  std::vector<Vector> all;
+  for (int i = 1; i < 6; ++i)
+    for (int j = 1 + i % 2; j < 6; j += 2)
+      all.push_back(low + Vector{Rational(i, 6) * size.x, Rational(j, 6) * size.y});
+  return all;
+}
+
+Outcome check(const Summands& summands) {
+  Outcome outcome;
+  const Rational large(mpz_class(1) << 70, 7);
+  for (std::size_t kind = 0; kind < 3; ++kind) {
+    const auto [how, pair] = fitting_pair(summands, kind);
+    const PlanarSet all = no_fit(pair.p, pair.q, by_slide);
+    if (edges(all).empty() && all.isolated_vertices.empty()) continue;
+    const WaysOut general(edges(pair.p), edges(pair.q), all);
+    for (const Vector& x : places(pair.p, pair.q)) {
+      const std::optional<Overlap> near = depth(pair.p, translated(pair.q, x));
+      if (!near) continue;
+      ++outcome.counts["overlaps"];
+      if (near->squared_depth != general.from(x).squared_depth)
+        return outcome.fail(how + ": another depth than by all of the no-fit polygon", x);
+    }
+    // The same in large numbers, once.
+    const auto times = [&](const Point& x) { return Point{large * x.x, large * x.y}; };
+    const std::optional<Overlap> one = depth(pair.p, pair.q),
+                                 other = depth(mapped(pair.p, times), mapped(pair.q, times));
+    if (one.has_value() != other.has_value() ||
+        (one && large * large * one->squared_depth != other->squared_depth))
+      return outcome.fail(how + ": another depth in large numbers");
+  }
+  return outcome;
+}
+
+const Registered registered({
+    .id = "step-nearest",
+    .sources = {{"star", 12, 3},
+                {"simple", 10, 2},
+                {"tight", 2, 2},
+                {"grid", 6, 3},
+                {"holes", 3, 1},
+                {"components", 3, 1}},
+    .promises = {{"holes", 5}, {"parallel edges", 20}},
+    .kills = {"nearest-boundary-covers-too-much"},
+    .cases = 40,
+    .check = check,
+});
+
+}  // namespace
+
+}  // namespace oplus
