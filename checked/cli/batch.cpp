@@ -445,7 +445,7 @@ void add_batch(Program& program) {
   const Command below = program.add_below(
       command, "merge", "Merge all shards into the output that one run would have written",
       [merged] { return static_cast<int>(merge(*merged)); });
-  below.option("shards FILE", merged->shards, "the outputs of all shards, in any order").required();
+  below.option("SHARDS FILE", merged->shards, "the outputs of all shards, in any order").required();
   below.file("-o,--output", merged->output,
              "write the results there, as a whole at the end; by default to standard output");
   below.footer(

@@ -122,8 +122,9 @@ std::string completions(const CLI::App& program, const std::vector<std::string>&
   } else if (word.starts_with('-')) {
     lines = so_far.options();
   } else {
-    lines = so_far.commands();
-    for (const std::string& each : so_far.of_argument()) lines.push_back(each);
+    // Scripts expect :files before words.
+    lines = so_far.of_argument();
+    for (const std::string& each : so_far.commands()) lines.push_back(each);
   }
   std::string text;
   for (const std::string& each : lines) {
