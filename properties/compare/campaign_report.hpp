@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "checked/cli/shard.hpp"
 #include "properties/compare/judge.hpp"
 #include "properties/compare/sum_digest.hpp"
 #include "properties/runner/shrinking.hpp"
@@ -32,18 +33,6 @@ struct Campaign {
 
   /// Whether closed and open sums are compared, not one value of an operation (operation.hpp).
   bool is_of_sums() const { return operation == "sum"; }
-};
-
-/// A part of a campaign that is run on several machines: task i, from 0, is of shard i mod `of` + 1,
-/// however many threads there are.
-struct Shard {
-  std::size_t index = 1;  ///< 1 <= index <= of
-  std::size_t of = 1;
-
-  /// How many of `all` tasks are of the shard.
-  std::size_t count_of(std::size_t all) const { return (all + of - index) / of; }
-  /// The number, among all, of the shard's k-th task, from 0.
-  std::size_t task(std::size_t k) const { return index - 1 + k * of; }
 };
 
 /// Counts of pairs, and below of their sums, closed and open, by each engine.

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <boost/algorithm/string/join.hpp>
-#include <charconv>
 #include <filesystem>
 #include <iostream>
 #include <optional>
@@ -41,18 +40,6 @@ std::vector<std::string> engine_names() {
     for (const Engine& engine : some) names.push_back(engine.name);
   names.insert(names.end(), {"certified", "proved"});
   return names;
-}
-
-/// Reads "2/8"; nullopt where it is not a shard.
-std::optional<Shard> shard_of(const std::string& text) {
-  Shard shard;
-  const char* const end = text.data() + text.size();
-  const auto index = std::from_chars(text.data(), end, shard.index);
-  if (index.ec != std::errc() || index.ptr == end || *index.ptr != '/') return std::nullopt;
-  const auto of = std::from_chars(index.ptr + 1, end, shard.of);
-  if (of.ec != std::errc() || of.ptr != end) return std::nullopt;
-  if (shard.index < 1 || shard.index > shard.of) return std::nullopt;
-  return shard;
 }
 
 HoleTestMethod hole_test_named(const std::string& name) {
@@ -195,10 +182,7 @@ std::vector<Task> given_pairs(CompareOptions& options) {
 
 int compare(const std::string& command, CompareOptions options,
             const std::vector<TaskSource>& sources) {
-  const std::optional<Shard> shard = shard_of(options.shard);
-  if (!shard)
-    throw UsageError("--shard " + one_line(options.shard) +
-                     " is invalid; expected I/N, 1 <= I <= N");
+  const Shard shard = shard_of(options.shard);
   for (const std::string& file : options.reports)
     if (!is_report_name(file))
       throw UsageError("--report " + file + ": the ending must be .md, .json or .xml");
@@ -220,7 +204,7 @@ int compare(const std::string& command, CompareOptions options,
   options.campaign.engines.clear();
   for (const Engine& engine : rules.engines) options.campaign.engines.push_back(engine.name);
 
-  CampaignReport begun = begun_report(command, options.campaign, *shard, sources);
+  CampaignReport begun = begun_report(command, options.campaign, shard, sources);
   begun.out = options.out;
   const CampaignReport report = run(options, first_report(begun, options.resume), sources, rules);
   write_counterexamples(report);
@@ -239,7 +223,7 @@ int compare(const std::string& command, CompareOptions options,
   if (report.is_interrupted()) return 5;
   if (!report.conforms()) return 1;
   // A shard may consist of unsupported pairs; the campaign is judged as a whole.
-  if (report.compared_nothing() && shard->of == 1)
+  if (report.compared_nothing() && shard.of == 1)
     throw UsageError(command + " compared nothing: every pair was skipped");
   return 0;
 }

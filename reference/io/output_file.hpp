@@ -12,8 +12,14 @@ namespace oplus {
 /// This, a device and another special file are written to at once, and never replaced.
 class OutputFile {
  public:
+  /// Where text goes that is written to a regular file.
+  enum class Regular {
+    replaced,  ///< into a new file, which is there as a whole or not at all; the default
+    extended,  ///< at once behind what the file contains
+  };
+
   /// Throws std::system_error.
-  explicit OutputFile(const std::string& path);
+  explicit OutputFile(const std::string& path, Regular regular = Regular::replaced);
   ~OutputFile();
 
   /// Appends. Throws std::system_error.

@@ -109,11 +109,11 @@ class OutputFile::Target::StandardOutput : public Target {
   void finish() override {}
 };
 
-/// A device or a pipe is written to, never replaced.
+/// A device or a pipe is written to, never replaced; nor is a file that is extended.
 class OutputFile::Target::InPlace : public Target {
  public:
   explicit InPlace(const std::string& path)
-      : path_(path), descriptor_(::open(path.c_str(), O_WRONLY | O_CLOEXEC)) {
+      : path_(path), descriptor_(::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC)) {
     if (descriptor_ < 0) fail(errno, path_);
   }
   ~InPlace() override {
@@ -133,11 +133,11 @@ class OutputFile::Target::InPlace : public Target {
   int descriptor_;
 };
 
-OutputFile::OutputFile(const std::string& path) {
+OutputFile::OutputFile(const std::string& path, Regular regular) {
   std::error_code ignored;
   if (path == "-")
     target_ = std::make_unique<Target::StandardOutput>();
-  else if (!is_replaced(path))
+  else if (!is_replaced(path) || regular == Regular::extended)
     target_ = std::make_unique<Target::InPlace>(path);
   else  // A link stays a link: the file it leads to is replaced.
     target_ = std::make_unique<Target::Temporary>(

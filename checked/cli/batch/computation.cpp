@@ -21,6 +21,7 @@ namespace oplus {
 namespace {
 
 constexpr const char* no_fit_name = "nfp";
+constexpr const char* of_a_bug = "a bug in oplus: ";
 
 PlanarSet sum_of_regions(const Region& p, const Region& q, Boundary boundary) {
   return slide_sum(p, q, boundary).sum;
@@ -93,10 +94,9 @@ void add_line(Results& results, const std::string& beginning,
   } catch (const UsageError& unsupported) {
     error = unsupported.what();
   } catch (const std::bad_alloc&) {
-    error = "there is not enough memory for this input";
+    error = without_memory;
   } catch (const std::exception& bug) {
-    error = std::string("a bug in oplus: ") + bug.what() + "; please report it with the input";
-    ++results.bugs;
+    error = std::string(of_a_bug) + bug.what() + "; please report it with the input";
   }
   results.lines.resize(start);
   add_error(results, beginning, error);
@@ -105,7 +105,12 @@ void add_line(Results& results, const std::string& beginning,
 void add_error(Results& results, const std::string& beginning, const std::string& what) {
   results.lines += beginning + ", \"error\": " + in_json(what) + "}\n";
   ++results.pairs;
+  count_error(results, what);
+}
+
+void count_error(Results& results, const std::string& what) {
   ++results.errors;
+  if (what.starts_with(of_a_bug)) ++results.bugs;
   if (results.first_error.empty()) results.first_error = what;
 }
 

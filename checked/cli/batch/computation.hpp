@@ -50,6 +50,12 @@ void add_line(Results& results, const std::string& beginning,
 /// Adds a line that is an error.
 void add_error(Results& results, const std::string& beginning, const std::string& what);
 
+/// Counts an error, but no line.
+void count_error(Results& results, const std::string& what);
+
+/// The error of a pair for which there is not enough memory.
+inline constexpr const char* without_memory = "there is not enough memory for this input";
+
 /// A string as JSON.
 std::string in_json(const std::string& text);
 

@@ -17,7 +17,8 @@
 
 namespace oplus {
 
-std::vector<Part> read_parts(const std::string& path, Overlaps overlaps, Results& results) {
+std::vector<Part> read_parts(const std::string& path, Overlaps overlaps,
+                             std::vector<InvalidPart>& invalid, Results& results) {
   std::vector<Part> parts;
   LineBatches batches(path);
   std::size_t count = 0;
@@ -30,14 +31,14 @@ std::vector<Part> read_parts(const std::string& path, Overlaps overlaps, Results
         results.note(batches.name(), number, part.notes);
         parts.push_back({std::move(part.set),
                          part.name.empty() ? std::to_string(count) : in_json(part.name), count});
-      } catch (const InvalidInput& invalid) {
-        add_error(results, "{\"part\": " + std::to_string(count), invalid.what());
+      } catch (const InvalidInput& error) {
+        invalid.push_back({count, error.what()});
       }
     });
   return parts;
 }
 
-ReadSet PartRotation::turned(const ReadSet& set) const {
+ReadSet PartRotation::turned(ReadSet set) const {
   if (map == AffineMap{}) return set;
   ReadSet result{image(map, set.region), {}, {}, {}};
   for (const Segment& s : set.segments) result.segments.push_back({map(s.source), map(s.target)});

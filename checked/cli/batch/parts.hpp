@@ -17,16 +17,23 @@ struct Part {
   std::size_t number;  ///< in the file, from one
 };
 
-/// Reads a file of parts, one a line (docs/batch.md). An invalid one becomes a line of the results, with
-/// its number among the parts, and is left out. Throws InvalidInput where the file cannot be read.
-std::vector<Part> read_parts(const std::string& path, Overlaps overlaps, Results& results);
+/// A part that is invalid.
+struct InvalidPart {
+  std::size_t number;  ///< in the file, from one
+  std::string error;
+};
 
-/// By which angle parts are turned.
+/// Reads a file of parts, one a line (docs/batch.md), and adds the invalid ones, which are left out, to
+/// `invalid`. Notes in the results what was repaired. Throws InvalidInput where the file cannot be read.
+std::vector<Part> read_parts(const std::string& path, Overlaps overlaps,
+                             std::vector<InvalidPart>& invalid, Results& results);
+
+/// By which angle Q is turned.
 struct PartRotation {
   AffineMap map = {};
   std::string json = {};  ///< `, "degrees": "90", "cos": "0", "sin": "1"`; empty unless asked for
 
-  ReadSet turned(const ReadSet& set) const;
+  ReadSet turned(ReadSet set) const;
 };
 
 /// Angles in degrees, which are multiples of 90 or else met up to `error` degrees by a rotation that takes

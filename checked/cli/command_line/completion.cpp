@@ -63,14 +63,16 @@ struct ReadSoFar {
       due = option == nullptr || option->get_items_expected_max() == 0
                 ? 0
                 : std::max(option->get_items_expected_min(), 1);
-    } else if (command == program) {
-      const auto called =
-          program->get_subcommands([&](const CLI::App* each) { return each->get_name() == word; });
-      command = called.empty() ? nullptr : called.front();
     } else {
-      ++arguments;
+      const auto called =
+          command->get_subcommands([&](const CLI::App* each) { return each->get_name() == word; });
+      if (called.empty() && command == program) return false;
+      if (called.empty() || arguments > 0)
+        ++arguments;
+      else
+        command = called.front();
     }
-    return command != nullptr;
+    return true;
   }
 
   Lines options() const {
@@ -86,7 +88,8 @@ struct ReadSoFar {
 
   Lines commands() const {
     Lines lines;
-    for (const CLI::App* each : program->get_subcommands({}))
+    if (arguments > 0) return lines;
+    for (const CLI::App* each : command->get_subcommands({}))
       lines.push_back(line(each->get_name(), each->get_description()));
     return lines;
   }
@@ -119,7 +122,9 @@ std::string completions(const CLI::App& program, const std::vector<std::string>&
   } else if (word.starts_with('-')) {
     lines = so_far.options();
   } else {
-    lines = so_far.command == &program ? so_far.commands() : so_far.of_argument();
+    // Scripts expect :files before words.
+    lines = so_far.of_argument();
+    for (const std::string& each : so_far.commands()) lines.push_back(each);
   }
   std::string text;
   for (const std::string& each : lines) {

@@ -23,7 +23,7 @@ constexpr const char* bash = R"sh(_PROGRAM() {
   esac
   COMPREPLY=("${found[@]%%$'\t'*}")
   if [[ -n $files ]]; then
-    mapfile -t COMPREPLY < <(compgen $files -- "$current")
+    mapfile -t COMPREPLY < <(printf '%s\n' "${COMPREPLY[@]:1}" | sed '/^$/d'; compgen $files -- "$current")
     compopt -o filenames 2>/dev/null
   fi
 }
@@ -37,6 +37,7 @@ constexpr const char* fish = R"sh(function _PROGRAM
   set -l rest (string replace -r -- '^--[^=]*=' '' "$word")
   switch "$found[1]"
     case :files
+      test (count $found) -gt 1; and printf '%s\n' $found[2..]
       __fish_complete_path "$rest" | string replace -r -- '^' "$before"
     case :folders
       __fish_complete_directories "$rest" | string replace -r -- '^' "$before"
@@ -52,7 +53,9 @@ _PROGRAM() {
   local -a found
   found=(${(f)"$(PROGRAM --complete "${(@Q)words[2,CURRENT]}" 2>/dev/null)"})
   case ${found[1]-} in
-    :files) compset -P '--*='; _files ;;
+    :files)
+      (($#found > 1)) && { local -a rest=("${(@)found[2,-1]/$'\t'/:}"); _describe PROGRAM rest }
+      compset -P '--*='; _files ;;
     :folders) compset -P '--*='; _files -/ ;;
     ?*) found=("${(@)found//:/\\:}"); found=("${(@)found/$'\t'/:}"); _describe PROGRAM found ;;
   esac

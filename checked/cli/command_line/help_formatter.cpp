@@ -63,13 +63,16 @@ std::string HelpFormatter::make_subcommand(const CLI::App* command) const {
 }
 
 std::string HelpFormatter::make_subcommands(const CLI::App* app, CLI::AppFormatMode mode) const {
-  const CLI::App* const program = app->get_parent();
-  if (program == nullptr) return Formatter::make_subcommands(app, mode);
-  return make_group(
-      "Options of every command", false, program->get_options([&](const CLI::Option* option) {
-        return option != program->get_help_ptr() && option != program->get_version_ptr() &&
-               option->get_group() == program->get_help_ptr()->get_group();
-      }));
+  const std::string below = Formatter::make_subcommands(app, mode);
+  const CLI::App* program = app->get_parent();
+  if (program == nullptr) return below;
+  while (program->get_parent() != nullptr) program = program->get_parent();
+  return below + make_group("Options of every command", false,
+                            program->get_options([&](const CLI::Option* option) {
+                              return option != program->get_help_ptr() &&
+                                     option != program->get_version_ptr() &&
+                                     option->get_group() == program->get_help_ptr()->get_group();
+                            }));
 }
 
 }  // namespace oplus

@@ -2,6 +2,7 @@
 #include "checked/cli/command_line/options.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <boost/algorithm/string/join.hpp>
 #include <optional>
 #include <utility>
@@ -119,12 +120,33 @@ void Command::remove(const std::string& option) const {
   command_->remove_option(command_->get_option(option));
 }
 
+std::vector<std::string> Command::given(const std::vector<std::string>& without) const {
+  std::vector<std::string> words;
+  for (const CLI::Option* const option : command_->get_options()) {
+    if (option->count() == 0 || std::ranges::count(without, option->get_name()) > 0) continue;
+    words.push_back(option->get_name());
+    for (const std::string& value : option->results()) words.push_back(value);
+  }
+  return words;
+}
+
 void Command::footer(const std::string& text) const { command_->footer(text); }
 
 Command Program::add(const std::string& name, const std::string& what,
                      std::function<int()> its_work) {
   CLI::App& command = *app.add_subcommand(name, what);
+  // CLI11 calls this after what the command's own commands ask for.
+  command.callback([this, its_work, &command] {
+    if (command.get_subcommands().empty()) work = its_work;
+  });
+  return Command(command);
+}
+
+Command Program::add_below(const Command& above, const std::string& name, const std::string& what,
+                           std::function<int()> its_work) {
+  CLI::App& command = *above.command_->add_subcommand(name, what);
   command.callback([this, its_work] { work = its_work; });
+  for (CLI::Option* const option : above.command_->get_options({})) command.excludes(option);
   return Command(command);
 }
 

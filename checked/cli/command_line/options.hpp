@@ -109,10 +109,14 @@ class Command {
 
   void remove(const std::string& option) const;
 
+  /// The options and arguments that were given, but for some of these names: each name, and its values.
+  std::vector<std::string> given(const std::vector<std::string>& without) const;
+
   /// What help says below the options.
   void footer(const std::string& text) const;
 
  private:
+  friend struct Program;
   CLI::App* command_;
 };
 
@@ -132,6 +136,10 @@ struct Program {
   std::function<int()> work = {};
 
   Command add(const std::string& name, const std::string& what, std::function<int()> its_work);
+
+  /// A command of a command, which takes none of the options that `above` has by now.
+  Command add_below(const Command& above, const std::string& name, const std::string& what,
+                    std::function<int()> its_work);
 
   template <typename Code, typename Parameter>
   CommandWith<std::remove_cvref_t<Parameter>> add(const std::string& name, const std::string& what,

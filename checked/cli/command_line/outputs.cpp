@@ -10,10 +10,10 @@
 
 namespace oplus {
 
-CommandOutput::CommandOutput(const std::string& path) : path_(path) {
+CommandOutput::CommandOutput(const std::string& path, OutputFile::Regular regular) : path_(path) {
   // Both would be on one terminal.
   if (path == "-" && isatty(STDOUT_FILENO) == 1) ShownStep::hide_all();
-  attempt([&] { file_.emplace(path); });
+  attempt([&] { file_.emplace(path, regular); });
 }
 
 void CommandOutput::write(std::string_view text) {

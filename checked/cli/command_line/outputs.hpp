@@ -19,7 +19,8 @@ using OutputTo = std::pair<std::string, std::string>;
 /// of the command's steps. All functions throw UsageError.
 class CommandOutput {
  public:
-  explicit CommandOutput(const std::string& path);
+  explicit CommandOutput(const std::string& path,
+                         OutputFile::Regular regular = OutputFile::Regular::replaced);
   void write(std::string_view text);
   void finish();
 

@@ -73,7 +73,12 @@ std::string complaint(const CLI::App& program, const std::string& first_word,
     return unknown + see + "--help";
   if (used.empty() && error.get_name() == "RequiredError")
     return "a command is needed" + see + "--help";
-  return error.what() + see + (used.empty() ? "" : used.front()->get_name() + " ") + "--help";
+  std::string names;
+  for (const CLI::App* each = &program; !each->get_subcommands().empty();) {
+    each = each->get_subcommands().front();
+    names += each->get_name() + " ";
+  }
+  return error.what() + see + names + "--help";
 }
 
 /// Opens standard streams that were closed before the start, the wrong way round, so that their use
@@ -126,7 +131,10 @@ int parse_and_do(const ProgramFrame& frame, AddCommands add_commands, int argc,
   Program program{app};
   add_commands(program);
   add_completion_command(program);
-  for (CLI::App* command : app.get_subcommands({})) add_exit_codes(*command);
+  for (CLI::App* command : app.get_subcommands({})) {
+    add_exit_codes(*command);
+    for (CLI::App* below : command->get_subcommands({})) add_exit_codes(*below);
+  }
   if (argc > 2 && argv[1] == std::string("--complete")) {
     write_text("-", completions(app, {argv + 2, argv + argc}));
     return 0;

@@ -275,6 +275,28 @@ TEST_F(Batch, turns_parts_exactly) {
   EXPECT_GT(precise.at(0).at("cos").get<std::string>().size(), 8U);
 }
 
+TEST_F(Batch, turns_q_of_pairs_too) {
+  const std::string l = "POLYGON((0 0,3 0,3 1,1 1,1 2,0 2,0 0))";
+  put("l.tsv", l + "\t" + l + "\n" + square + "\n" + R"({"p": ")" + l + R"(", "q": ")" + l +
+                   R"(", "id": 7})" + "\n");
+  put("l.wkt", l);
+  const std::vector<Json> pairs =
+      answers("oplus batch l.tsv --rotations 0,90,-180,30 --operation nfp", 2);
+  const std::vector<Json> parts =
+      answers("oplus batch --parts l.wkt --rotations 0,90,-180,30 --operation nfp");
+  ASSERT_EQ(pairs.size(), 12U);
+  for (std::size_t i = 0; i < 12; ++i) {
+    for (const std::string member : {"degrees", "cos", "sin"})
+      EXPECT_EQ(pairs[i].at(member), parts.at(i % 4).at(member)) << i;
+    EXPECT_EQ(pairs[i].at("line"), i / 4 + 1);
+    if (i / 4 == 1)
+      EXPECT_TRUE(has(pairs[i].at("error"), "l.tsv:2: one field")) << i;
+    else
+      EXPECT_EQ(pairs[i].at("result"), parts.at(i % 4).at("result")) << i;
+    EXPECT_EQ(pairs[i].contains("id"), i >= 8) << i;
+  }
+}
+
 TEST_F(Batch, takes_lines_of_any_length) {
   std::string teeth;
   for (int i = 50000; i > 0; --i)
@@ -320,7 +342,6 @@ TEST_F(Batch, is_interrupted_without_leaving_anything) {
 TEST_F(Batch, is_refused_where_it_cannot_be_done) {
   expect_refusal("oplus batch", "expected either a file of pairs or --parts FILE");
   expect_refusal("oplus batch square.tsv --parts parts.txt", "expected either");
-  expect_refusal("oplus batch square.tsv --rotations 90", "are for --parts");
   expect_refusal("oplus batch square.tsv --unordered", "are for --parts");
   expect_refusal("oplus batch --parts parts.txt --with parts.txt --unordered", "--unordered");
   expect_refusal("oplus batch --parts parts.txt --rotations 90 --rotation-step 90", "either");

@@ -25,8 +25,8 @@ std::vector<std::string> example(const std::string& help) {
 
 TEST_F(Help, every_example_works_when_copied) {
   for (const std::string command :
-       {"", "sum", "compare", "verify", "certify", "draw", "batch", "reflect", "repair", "disc",
-        "transform", "layout", "gen", "distance", "depth", "nfp"}) {
+       {"", "sum", "compare", "verify", "certify", "draw", "batch", "batch merge", "reflect",
+        "repair", "disc", "transform", "layout", "gen", "distance", "depth", "nfp"}) {
     const Ran help = run("oplus " + command + " --help");
     EXPECT_EQ(help.exit_code, 0);
     EXPECT_EQ(help.err, "");

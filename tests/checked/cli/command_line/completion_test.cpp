@@ -82,6 +82,12 @@ TEST_F(Completion, offers_files_and_folders) {
     EXPECT_EQ(offered(words), all_files) << words;
   EXPECT_EQ(offered("oplus compare w"), Words({"with space.wkt"}));
   EXPECT_EQ(offered("oplus-check diff --out ''"), Words({"parts"}));
+  Words also = all_files;
+  also.insert("merge");
+  EXPECT_EQ(offered("oplus batch ''"), also);
+  EXPECT_EQ(offered("oplus batch m"), Words({"merge"}));
+  EXPECT_EQ(offered("oplus batch merge a.wkt ''"), all_files);
+  EXPECT_EQ(offered("oplus batch merge --o"), Words({"--output"}));
 }
 
 TEST_F(Completion, offers_nothing_where_nothing_is_known) {
@@ -119,10 +125,12 @@ TEST_F(Completion, of_fish_offers_the_same) {
   const Ran ran = run(
       "command -v fish >/dev/null || exit 77\n"
       "fish -c 'oplus completion fish | source; complete -C \"oplus sum --engine=l\";"
-      " complete -C \"oplus compare w\"; complete -C \"oplus draw --svg=\"; complete -C \"oplus g\"'");
+      " complete -C \"oplus compare w\"; complete -C \"oplus draw --svg=\"; complete -C \"oplus g\";"
+      " complete -C \"oplus batch m\"'");
   if (ran.exit_code == 77) GTEST_SKIP() << "fish is missing";
   EXPECT_EQ(ran.out,
-            "--engine=loops\nwith space.wkt\ngen\tWrite a region of a family of test pairs\n")
+            "--engine=loops\nwith space.wkt\ngen\tWrite a region of a family of test pairs\n"
+            "merge\tMerge all shards into the output that one run would have written\n")
       << ran.err;
 }
 
