@@ -200,6 +200,7 @@ Row nesting_row(const std::string& instance) {
   std::size_t vertices = 0;
   for (const Region& part : parts) vertices += vertex_count(part);
   return {.name = "nesting_" + instance,
+          .group = "nesting",
           .what = instance + ": " + std::to_string(parts.size()) + " parts, " +
                   std::to_string(vertices) + " vertices",
           .subject = "nesting",
