@@ -105,6 +105,8 @@ add_test(NAME bench.programs
 
 # What is wrong with other libraries, shown by a program each.
 file(GLOB findings CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/docs/findings/*.cpp)
+# Those of Clipper2 are compiled with the newest Debian's, below.
+list(FILTER findings EXCLUDE REGEX "/clipper2_[^/]*$")
 foreach(source IN LISTS findings)
   get_filename_component(finding ${source} NAME_WE)
   add_executable(finding-${finding} ${source})
@@ -115,6 +117,24 @@ foreach(source IN LISTS findings)
            COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/docs/finding_program
                    $<TARGET_FILE:finding-${finding}> ${source})
 endforeach()
+
+# The newest CGAL and Clipper2 of Debian, which need its network.
+add_test(NAME newest.libraries
+         COMMAND bash ${PROJECT_SOURCE_DIR}/properties/compare/peers/newest ${PROJECT_BINARY_DIR})
+add_test(NAME newest.peer
+         COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/properties/compare/peers/newest ${PROJECT_BINARY_DIR})
+set_tests_properties(newest.libraries PROPERTIES FIXTURES_SETUP newest COST 500)
+set(with_newest newest.peer)
+file(GLOB findings CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/docs/findings/clipper2_*.cpp)
+foreach(source IN LISTS findings)
+  get_filename_component(finding ${source} NAME_WE)
+  add_test(NAME finding.${finding}
+           COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/docs/finding_with_newest ${PROJECT_BINARY_DIR}/newest
+                   ${source})
+  list(APPEND with_newest finding.${finding})
+endforeach()
+set_tests_properties(${with_newest} PROPERTIES FIXTURES_REQUIRED newest)
+set_tests_properties(newest.libraries ${with_newest} PROPERTIES SKIP_RETURN_CODE 77)
 
 add_test(NAME tree.release-contains-no-mutant
          COMMAND ${tree_check}/mutant_names.py absent $<TARGET_FILE:oplus>

@@ -15,7 +15,7 @@ packages_of_tests=(clang libclang-rt-14-dev git clang-format make time libgtest-
 # More for tests/run --everything.
 packages_of_everything=(gnuplot-nox
                         mmdebstrap lintian doxygen python3-sphinx python3-breathe
-                        python3-myst-parser furo nodejs npm python3-pip python3-skbuild python3-venv
+                        python3-myst-parser furo nodejs python3-pip python3-skbuild python3-venv
                         emscripten js-of-ocaml chromium chromium-driver python3-selenium)
 
 # Installs what is missing. Asks nothing; says what it installs.
@@ -25,7 +25,7 @@ install_missing_packages() {
     return 0
   fi
   local package there missing=()
-  # Also what an installed package provides: nodejs from NodeSource provides npm, and conflicts with it.
+  # Also what an installed package provides.
   there=$(dpkg-query -W -f '${db:Status-Status} ${Package}, ${Provides},\n' |
             sed -n 's/^installed/,/p' | tr '\n' ' ')
   for package in "${packages[@]}"; do

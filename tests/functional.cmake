@@ -78,11 +78,6 @@ add_test(NAME conformance.own-program
          COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/properties/compare/own_program
                  $<TARGET_FILE:oplus-check>)
 
-# Another library, by way of npm, which it needs.
-add_test(NAME conformance.clipper2
-         COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/properties/compare/peers/clipper2
-                 $<TARGET_FILE:oplus-check> ${CMAKE_CURRENT_BINARY_DIR}/clipper2)
-
 # A campaign in shards.
 add_test(NAME campaigns.shards
          COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/properties/compare/shards $<TARGET_FILE:oplus-check>)

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""scoreboard.py --run FOLDER | --write | --check: docs/scoreboard.md, which says what `oplus-check conformance`
-finds in each library. --run asks the libraries, with FOLDER for the reports, records the results in runs.json,
-copies the pictures and writes the page; --write writes the page from the record; --check fails unless the page is
+"""scoreboard.py --run FOLDER [ENGINE...] | --write | --check: docs/scoreboard.md, which says what `oplus-check
+conformance` finds in each library. --run asks the libraries, or only those named, with FOLDER for the reports, records
+the results in runs.json, copies the pictures and writes the page; --write writes the page from the record; --check fails unless the page is
 that of the record and the pictures are those of the page."""
 
 import json
@@ -16,33 +16,51 @@ from typing import NamedTuple
 HERE = Path(__file__).resolve().parent
 RECORD = HERE / "runs.json"
 PAGE = HERE.parent / "scoreboard.md"
-BUDGET = 1000  # pairs, unless an engine is slow
+ROOT = HERE.parents[1]
+BUDGET = 1000  # pairs
+PARTS = sorted((ROOT / "tests/data/esicup").glob("*.wkt"))
 
 
 class Engine(NamedTuple):
     title: str
     called: str
     version: tuple  # a file and the expression that finds the version in it
-    budget: int = BUDGET
     command: str = ""  # unless it is the engine's name
-    options: tuple = ()
+    sums_parts: bool = True  # is also asked for the no-fit polygons of parts
+
+
+def newest(method):
+    return f"exec:oplus-peer-newest {method} {{p}} {{q}}"
 
 
 CGAL = ("/usr/include/CGAL/version.h", r"define CGAL_VERSION (\S+)")
+NEWEST = ROOT / "build/release/newest/versions"
+NEWEST_CGAL = (NEWEST, r"CGAL (\S+),")
 ENGINES = {
     "slide": Engine("oplus, `slide`", "`oplus::minkowski_sum`",
-                    (HERE.parents[1] / "CMakeLists.txt", r"project\(oplus\s+VERSION\s+([\d.]+)")),
+                    (ROOT / "checked/oplus/version.hpp", r"(?s)MAJOR (\d+).*?MINOR (\d+).*?PATCH (\d+)")),
     "cgal-reduced": Engine("CGAL, reduced convolution", "`minkowski_sum_by_reduced_convolution_2`", CGAL),
     "cgal-full": Engine("CGAL, full convolution", "`minkowski_sum_by_full_convolution_2`", CGAL),
-    "cgal-vertical": Engine("CGAL, vertical decomposition", "`minkowski_sum_by_decomposition_2`", CGAL),
-    "cgal-triangulation": Engine("CGAL, triangulation", "`minkowski_sum_by_decomposition_2`", CGAL),
-    "cgal-small-side": Engine("CGAL, small side angle bisectors", "`minkowski_sum_by_decomposition_2`", CGAL),
+    "cgal-vertical": Engine("CGAL, vertical decomposition", "`minkowski_sum_by_decomposition_2`", CGAL,
+                            sums_parts=False),
+    "cgal-triangulation": Engine("CGAL, triangulation", "`minkowski_sum_by_decomposition_2`", CGAL,
+                                 sums_parts=False),
+    "cgal-small-side": Engine("CGAL, small side angle bisectors", "`minkowski_sum_by_decomposition_2`", CGAL,
+                              sums_parts=False),
+    "cgal-reduced-newest": Engine("CGAL, reduced convolution", "`minkowski_sum_by_reduced_convolution_2`", NEWEST_CGAL,
+                                  newest("cgal-reduced")),
+    "cgal-full-newest": Engine("CGAL, full convolution", "`minkowski_sum_by_full_convolution_2`", NEWEST_CGAL,
+                               newest("cgal-full")),
+    "cgal-vertical-newest": Engine("CGAL, vertical decomposition", "`minkowski_sum_by_decomposition_2`", NEWEST_CGAL,
+                                   newest("cgal-vertical"), sums_parts=False),
+    "cgal-triangulation-newest": Engine("CGAL, triangulation", "`minkowski_sum_by_decomposition_2`", NEWEST_CGAL,
+                                        newest("cgal-triangulation"), sums_parts=False),
+    "cgal-small-side-newest": Engine("CGAL, small side angle bisectors", "`minkowski_sum_by_decomposition_2`",
+                                     NEWEST_CGAL, newest("cgal-small-side"), sums_parts=False),
     "clipper": Engine("Clipper 6", "`MinkowskiSum(pattern, paths, …)`",
                       ("/usr/include/polyclipping/clipper.hpp", r'define CLIPPER_VERSION "(\S+)"')),
     "clipper2": Engine("Clipper2", "`MinkowskiSum(pattern, path, …)` for each path, and `Union`",
-                       (HERE.parents[1] / "properties/compare/peers/clipper2/package.json",
-                        r'"(clipper2-wasm": "\S+)"'),
-                       200, "exec:node clipper2/sum.mjs {p} {q}", ("--memory-limit", "0")),
+                       (NEWEST, r"Clipper2 (\S+),"), newest("clipper2")),
     "boost-polygon": Engine("Boost.Polygon", "`convolve_two_polygon_sets`, and the polygon set's union",
                             ("/usr/include/boost/version.hpp", r'define BOOST_LIB_VERSION "(\S+)"')),
 }
@@ -106,44 +124,65 @@ def slug(kind):
 def version(engine):
     file, expression = engine.version
     found = re.search(expression, Path(file).read_text(encoding="utf-8"))
-    return found[1].replace('": "', " ").replace("_", ".") if found else failed(f"{file}: no version")
+    return ".".join(found.groups()).replace("_", ".") if found else failed(f"{file}: no version")
 
 
-def recorded(name, report, folder):
-    """What of a report is recorded. Copies the pictures."""
+def recorded(report, folder):
+    """What of a report is recorded. Copies the pictures from the folder, by whose name they start."""
     failures = {}
     for kind, found in sorted(report["counterexamples"].items()):
-        picture = f"{name}-{slug(kind)}.svg"
+        picture = f"{folder.name}-{slug(kind)}.svg"
         shutil.copyfile(folder / next(one for one in found["files"] if one.endswith(".svg")), HERE / picture)
         failures[kind] = {
             "sums": report["all"]["kinds"][kind],
             "in_corpus": sum(one["counts"]["kinds"].get(kind, 0)
                              for one in report["sources"] if one["part"] == "corpus"),
+            "of_parts": {one["name"]: one["counts"]["kinds"].get(kind, 0)
+                         for one in report["sources"] if one["part"] == "parts"},
             "found_in": found["found_in"],
             "what": found["sum"]["failure"]["what"],
             **found["sum"]["pair"],
             "picture": picture,
         }
-    return {"version": version(ENGINES[name]), "seed": report["campaign"]["seed"],
-            "pairs": report["pairs"], "sums": report["all"]["sums"], "failures": failures}
+    return {"seed": report["campaign"]["seed"], "pairs": report["pairs"], "sums": report["all"]["sums"],
+            "failures": failures}
 
 
-def run(folder):
-    for name, engine in ENGINES.items():
-        print(name, flush=True)
-        command = ["oplus-check", "conformance", "--engine", engine.command or name, "--budget", str(engine.budget),
-                   "--seed", "1", *engine.options, "--out", name, "--report", f"{name}.json", "--quiet"]
-        code = subprocess.run(command, cwd=folder, stdout=subprocess.DEVNULL, check=False).returncode
-        if code not in (0, 1):
-            failed(f"{name}: oplus-check exits with {code}")
+def run(folder, names):
+    asked = {"sums": ["--budget", str(BUDGET)],
+             "parts": ["--judge", "convex-parts", *(word for file in PARTS for word in ("--parts", str(file)))]}
+    reports = {}
+    for name in names:
+        engine = ENGINES[name]
+        for about in ("sums", "parts") if engine.sums_parts else ("sums",):
+            out = name if about == "sums" else f"{name}-{about}"
+            print(out, flush=True)
+            command = ["oplus-check", "conformance", "--engine", engine.command or name, "--seed", "1", *asked[about],
+                       "--out", out, "--report", f"{out}.json", "--quiet"]
+            code = subprocess.run(command, cwd=folder, stdout=subprocess.DEVNULL, check=False).returncode
+            if code not in (0, 1):
+                failed(f"{name}: oplus-check exits with {code}")
+            reports[about, name] = out
     # What was there stays until all libraries have answered.
-    for old in HERE.glob("*.svg"):
-        old.unlink()
-    record = {}
-    for name in ENGINES:
-        report = json.loads((folder / f"{name}.json").read_text(encoding="utf-8"))
-        record[name] = recorded(name, report, folder / name)
+    record = json.loads(RECORD.read_text(encoding="utf-8"))
+    for (about, name), out in reports.items():
+        report = json.loads((folder / f"{out}.json").read_text(encoding="utf-8"))
+        record[about][name] = {"version": version(ENGINES[name]), **recorded(report, folder / out)}
+    record = {about: {name: runs[name] for name in ENGINES if name in runs} for about, runs in record.items()}
+    for old in {picture.name for picture in HERE.glob("*.svg")} - shown(record):
+        (HERE / old).unlink()
     RECORD.write_text(json.dumps(record, indent=1) + "\n", encoding="utf-8")
+
+
+def failures_of(record):
+    """About what, the engine, the kind, and the failure, in the order of the page."""
+    return [(about, name, kind, one) for about, runs in record.items() for name, run_of in runs.items()
+            for kind, one in run_of["failures"].items()]
+
+
+def shown(record):
+    """The pictures of the page."""
+    return {one["picture"] for *_, one in failures_of(record)}
 
 
 def summand(wkt):
@@ -170,14 +209,15 @@ def known(name, kind):
     return [key for key in UPSTREAM if key[0] == name and re.fullmatch(key[1], kind)]
 
 
-def failure(name, kind, one):
+def failure(about, name, kind, one):
     entries = known(name, kind)
     if len(entries) != 1:
         failed(f"UPSTREAM has {len(entries)} entries for {name}, {kind}")
     sums = "1 sum" if one["sums"] == 1 else f"{one['sums']:,} sums"
     of_corpus = f" ({one['in_corpus']:,} in the corpus)" if one["in_corpus"] else ""
     what = one["what"].replace("the first", "the right sum").replace("the second", "the given one")
-    return f"""### {ENGINES[name].title}: {kind}
+    engine = ENGINES[name]
+    return f"""### {engine.title}{', newest' if name.endswith('-newest') else ''}: {kind}{', no-fit polygons' if about == 'parts' else ''}
 {sums}{of_corpus}. The smallest pair was found in `{one['found_in']}`. Shrunk:
 P: {summand(one['p'])}, Q: {summand(one['q'])}. Result: {what}.
 
@@ -187,25 +227,40 @@ Upstream: {UPSTREAM[entries[0]]}
 """
 
 
+def by_instance(runs):
+    """The failures of each kind in each instance."""
+    names = [file.stem for file in PARTS]
+    lines = [f"| {ENGINES[name].title} | {run_of['version']} | {kind} | "
+             + " | ".join(f"{one['of_parts'].get(instance, 0):,}" for instance in names) + " |"
+             for name, run_of in runs.items() for kind, one in run_of["failures"].items()]
+    return "\n".join(["| implementation | version | kind | " + " | ".join(names) + " |",
+                      "|---|---|---|" + "--:|" * len(names), *lines])
+
+
+def table(runs):
+    head = ("implementation", "version", "calls", "pairs", "right", "rounded", "otherwise wrong", "crashed",
+            "hung or out of memory", "unreadable", "refused", "open unsupported", "skipped")
+    return "\n".join(["| " + " | ".join(head) + " |", "|---|---|---|" + "--:|" * (len(head) - 3),
+                      *(row(name, run_of) for name, run_of in runs.items())])
+
+
 def page(record):
-    found = [(name, kind) for name, run_of in record.items() for kind in run_of["failures"]]
+    found = failures_of(record)
     for one in UPSTREAM:
-        if not any(one in known(*failure_of) for failure_of in found):
+        if not any(one in known(name, kind) for _, name, kind, _ in found):
             failed(f"UPSTREAM has {one}, which was not found")
-    (seed,) = {run_of["seed"] for run_of in record.values()}
-    fewer = [f"{engine.title} for {engine.budget}" for engine in ENGINES.values() if engine.budget != BUDGET]
-    rows = "\n".join(row(name, run_of) for name, run_of in record.items())
-    failures = "\n".join(failure(name, kind, record[name]["failures"][kind]) for name, kind in found)
+    (seed,) = {run_of["seed"] for runs in record.values() for run_of in runs.values()}
+    failures = "\n".join(failure(*one) for one in found)
     return f"""# Scoreboard
 What [`oplus-check conformance`](conformance.md) finds in oplus and in [other libraries](peers.md).
 Written by
 
     bash docs/scoreboard/make
 
-from [the record](scoreboard/runs.json): seed {seed}, `--budget {BUDGET}` and the corpus for each; {', '.join(fewer)}, since
-each sum starts Node.js anew. CGAL, Clipper 6 and Boost are those of Debian 12, CGAL with its exact kernel and `NDEBUG`;
-newer versions are better in part, as the issues say. For Clipper2 the version is that of the npm package. What each
-method supports, and how it is called: [other libraries](peers.md#libraries).
+from [the record](scoreboard/runs.json): seed {seed}, `--budget {BUDGET}` and the corpus for each. Clipper 6, Boost and CGAL 5
+are those of Debian 12; the other CGAL and Clipper2 are [the newest of Debian](peers.md#the-newest-libraries), of the day of
+the run. CGAL has its exact kernel and `NDEBUG`. What each method supports, and how it is called:
+[other libraries](peers.md#libraries).
 
 How to read it:
 
@@ -220,9 +275,20 @@ How to read it:
 - *Skipped*: too large for the oracle, or the law does not apply.
 - The corpus contains pairs on which these libraries were found to be wrong [earlier](findings.md#other-libraries).
 
-| implementation | version | calls | pairs | right | rounded | otherwise wrong | crashed | hung or out of memory | unreadable | refused | open unsupported | skipped |
-|---|---|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|
-{rows}
+{table(record["sums"])}
+
+## No-fit polygons of real parts
+The sums P ⊕ −Q of all pairs of the parts of {len(PARTS)} [nesting instances](../tests/data/README.md), in both orders, judged by
+the sums of convex parts. No such sum of these has a hole that is not there, whatever the scale; a library that computes
+with integers gets the pair multiplied by the largest power of two for which 30 bits are enough. Each row is
+
+    oplus-check conformance --engine ENGINE --judge convex-parts --parts tests/data/esicup/albano.wkt --parts ...
+
+{table(record["parts"])}
+
+Where they failed:
+
+{by_instance(record["parts"])}
 
 ## Kinds of failure
 {failures}"""
@@ -232,17 +298,16 @@ def check():
     record = json.loads(RECORD.read_text(encoding="utf-8"))
     if PAGE.read_text(encoding="utf-8") != page(record):
         failed("docs/scoreboard.md is not the page of its record: python3 docs/scoreboard/scoreboard.py --write")
-    shown = {one["picture"] for run_of in record.values() for one in run_of["failures"].values()}
     there = {picture.name for picture in HERE.glob("*.svg")}
-    if shown != there:
-        failed(f"pictures that are missing or not shown: {', '.join(sorted(shown ^ there))}")
+    if shown(record) != there:
+        failed(f"pictures that are missing or not shown: {', '.join(sorted(shown(record) ^ there))}")
 
 
 def main(arguments):
     if arguments == ["--check"]:
         return check()
-    if len(arguments) == 2 and arguments[0] == "--run":
-        run(Path(arguments[1]).resolve())
+    if len(arguments) >= 2 and arguments[0] == "--run" and set(arguments[2:]) <= set(ENGINES):
+        run(Path(arguments[1]).resolve(), arguments[2:] or list(ENGINES))
     elif arguments != ["--write"]:
         print(__doc__, file=sys.stderr)
         sys.exit(2)

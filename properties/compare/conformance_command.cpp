@@ -2,6 +2,7 @@
 #include "properties/commands.hpp"
 #include "properties/compare/compare.hpp"
 #include "properties/compare/conformance_sources.hpp"
+#include "properties/compare/sources.hpp"
 
 namespace oplus {
 
@@ -9,13 +10,15 @@ namespace {
 
 struct Settings : CompareOptions {
   ConformanceChoice choice;
+  std::vector<std::string> parts;
 };
 
 int conformance(Settings settings) {
   settings.choice.seed = settings.campaign.seed;
-  const std::vector<Task> given = given_pairs(settings);
-  return compare("conformance", settings,
-                 given.empty() ? conformance_sources(settings.choice) : conformance_sources(given));
+  std::vector<TaskSource> sources = conformance_sources(given_pairs(settings));
+  for (const std::string& file : settings.parts) sources.push_back(parts_source(file));
+  if (sources.empty()) sources = conformance_sources(settings.choice);
+  return compare("conformance", settings, sources);
 }
 
 }  // namespace
@@ -33,6 +36,10 @@ void add_conformance_command(Program& program) {
       "The implementation: an engine of oplus, a peer, or exec:CMD; see 'diff --help'")
       .required();
   add_pair_option(command, settings);
+  command.option(
+      "--parts FILE", settings.parts,
+      "Only no-fit polygons, the sums of P and -Q, of the parts in this file, one a line; may "
+      "be repeated");
   command.option("--part NAME", choice.parts, "Only this part; may be repeated")
       .one_of(conformance_parts());
   command.option("--seed", campaign.seed, "Same seed, same pairs").default_shown();
@@ -55,6 +62,7 @@ void add_conformance_command(Program& program) {
       "Example:\n"
       "  oplus-check conformance --engine slide --report conformance.md\n"
       "  oplus-check conformance --engine 'exec:my-sum {p} {q}' --report conformance.xml\n"
+      "  oplus-check conformance --engine clipper --judge convex-parts --parts parts.wkt\n"
       "\n"
       "Exit codes:\n"
       "  0  it conforms\n"

@@ -6,6 +6,7 @@
 #include "properties/compare/grid_polygons.hpp"
 #include "reference/chains/region_of.hpp"
 #include "reference/io/counted.hpp"
+#include "reference/io/region_lines.hpp"
 #include "reference/io/writing.hpp"
 
 namespace oplus {
@@ -89,6 +90,16 @@ TaskSource grid_source(int side, std::size_t most_vertices, std::size_t most_pai
             return {"pair " + std::to_string(index) + " of exhaustive --grid " +
                         std::to_string(side) + " --vertices " + std::to_string(most_vertices),
                     {region_of((*polygons)[i]), region_of((*polygons)[j])}};
+          }};
+}
+
+TaskSource parts_source(const std::filesystem::path& file) {
+  const auto parts = std::make_shared<const std::vector<Region>>(read_region_lines(file));
+  const std::size_t n = parts->size();
+  return {"parts", file.stem(), n * n, [=, name = file.stem().string()](std::size_t i) -> Task {
+            return {name + ", P is part " + std::to_string(i / n + 1) + " and -Q part " +
+                        std::to_string(i % n + 1),
+                    {parts->at(i / n), reflected(parts->at(i % n))}};
           }};
 }
 

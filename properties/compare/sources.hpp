@@ -38,6 +38,10 @@ TaskSource family_source(const Family& family, std::size_t count, std::uint64_t 
 TaskSource grid_source(int side, std::size_t most_vertices,
                        std::size_t most_pairs = static_cast<std::size_t>(-1));
 
+/// The part "parts": the no-fit polygons P ⊕ −Q of a file of parts, one a line; each with itself, too. Throws
+/// InvalidInput.
+TaskSource parts_source(const std::filesystem::path& file);
+
 /// The part "corpus": its pairs, each both ways round.
 std::vector<TaskSource> corpus_sources();
 

@@ -2,7 +2,9 @@
 #include <boost/algorithm/string/trim.hpp>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <memory>
+#include <sstream>
 #include <stdexcept>
 
 #include "properties/compare/peers/method.hpp"
@@ -94,40 +96,92 @@ struct WholeCommand {
   }
 };
 
+using DescribeSums = void(std::istream& sums, Description& description);
+
+/// How one command computes all pairs of a row.
+struct ManyPairs {
+  std::function<Command(const std::string& pairs, const std::string& sums)> command;
+  DescribeSums* describe;
+  bool is_of_parts = false;  ///< it reads the row's file of parts, not one of pairs
+};
+
 /// All pairs of a row in one command, from a file to a file, by one thread.
 class WholeBatch : public PreparedPairs {
  public:
-  explicit WholeBatch(const std::vector<Summands>& pairs) {
+  WholeBatch(const ManyPairs& how, const Row& row, const std::vector<Summands>& pairs)
+      : how_(how), command_(how.command(how.is_of_parts ? row.parts : pairs_, sums_)) {
+    if (!std::filesystem::exists(command_[0])) throw Unsupported("was not built");
+    if (how.is_of_parts) return;
     std::string lines;
     for (const auto& [p, q] : pairs) lines += wkt(p) + '\t' + wkt(q) + '\n';
     write_file(pairs_, lines);
   }
 
-  void compute() override {
-    ended_ = ended_well(
-        {program_beside("oplus"), "batch", pairs_, "-o", sums_, "--threads", "1", "--quiet"});
-  }
+  void compute() override { ended_ = ended_well(command_); }
   void forget() override {}
   bool evaluate() override { return false; }
   void add_stages(std::map<std::string, double>&) const override {}
 
   void describe(Description& description) const override {
     description.count("process_mb", static_cast<std::size_t>(ended_.peak_mb));
-    std::ifstream in(sums_);
-    for (std::string line; std::getline(in, line);) {
-      const std::string before = "\"result\": \"";  // WKT, in which nothing is escaped
-      const std::size_t begin = line.find(before) + before.size();
-      const std::string sum = line.substr(begin, line.find('"', begin) - begin);
-      description.add(canonical_sum(read_region_in(Format::wkt, sum, "sum").region));
-    }
+    std::ifstream sums(sums_);
+    how_.describe(sums, description);
   }
 
  private:
   TemporaryFolder folder_{"oplus-bench"};
   std::string pairs_ = folder_.path() / "pairs.tsv";
-  std::string sums_ = folder_.path() / "sums.jsonl";
+  std::string sums_ = folder_.path() / "sums";
+  ManyPairs how_;
+  Command command_;
   EndedProcess ended_;
 };
+
+Command batch(const std::string& pairs, const std::string& sums) {
+  return {program_beside("oplus"), "batch", pairs, "-o", sums, "--threads", "1", "--quiet"};
+}
+
+Command batch_of_parts(const std::string& parts, const std::string& sums) {
+  return {program_beside("oplus"),
+          "batch",
+          "--parts",
+          parts,
+          "--operation",
+          "nfp",
+          "-o",
+          sums,
+          "--threads",
+          "1",
+          "--quiet"};
+}
+
+/// Of a no-fit polygon the area alone: places where Q only touches are left out by others.
+void describe_batch(std::istream& sums, Description& description) {
+  for (std::string line; std::getline(sums, line);) {
+    const std::string before = "\"result\": \"";  // WKT, in which nothing is escaped
+    const std::size_t begin = line.find(before) + before.size();
+    const std::string sum = line.substr(begin, line.find('"', begin) - begin);
+    description.add(regularized(read_sum(sum, "sum").sum));
+  }
+}
+
+/// What `oplus-peer NAME --parts` writes.
+template <bool is_rounded>
+void describe_peer(std::istream& sums, Description& description) {
+  Rational scale, x, y;
+  sums >> scale >> std::ws;
+  for (std::string line; std::getline(sums, line);) {
+    std::vector<Chain> chains;
+    std::istringstream path(line);
+    for (char command = 0; path >> command;) {
+      if (command == 'Z') continue;
+      if (command == 'M') chains.emplace_back();
+      if (!(path >> x >> y) || chains.empty()) throw std::runtime_error("not a path: " + line);
+      chains.back().push_back({x / scale, y / scale});
+    }
+    description.add(chains, is_rounded);
+  }
+}
 
 BenchEngine command_engine(const std::string& name, const std::string& what,
                            const WholeCommand& how) {
@@ -137,6 +191,29 @@ BenchEngine command_engine(const std::string& name, const std::string& what,
           .rounds = how.rounds,
           .is_ours = name == "oplus-sum" || how.format == Format::wkt,
           .is_of_all_rows = false};
+}
+
+BenchEngine batch_engine(const std::string& name, const std::string& what, const ManyPairs& how) {
+  return {.name = name,
+          .what = what,
+          .prepare =
+              [=](const Row& row, const std::vector<Summands>& pairs) {
+                return std::make_unique<WholeBatch>(how, row, pairs);
+              },
+          .rounds = how.describe == describe_peer<true>,
+          .is_ours = how.describe == describe_batch,
+          .is_of_all_rows = false};
+}
+
+/// Another library's loop over a file of parts.
+BenchEngine peer_of_parts(const std::string& name, const std::string& program,
+                          const std::string& method, DescribeSums* describe) {
+  return batch_engine(name,
+                      "the whole command `" + program + " " + method + " --parts PARTS.wkt NFPS`",
+                      {[=](const std::string& parts, const std::string& sums) -> Command {
+                         return {program_beside(program), method, "--parts", parts, sums};
+                       },
+                       describe, true});
 }
 
 }  // namespace
@@ -165,14 +242,18 @@ std::vector<BenchEngine> command_engines() {
              return {program_beside("clipper-sum"), f.p, f.q, f.sum};
            },
            .rounds = true}),
-      {.name = "oplus-batch",
-       .what =
-           "the whole command `oplus batch PAIRS.tsv -o SUMS.jsonl --threads 1` for all pairs of a row",
-       .prepare =
-           [](const Row&, const std::vector<Summands>& pairs) {
-             return std::make_unique<WholeBatch>(pairs);
-           },
-       .is_of_all_rows = false},
+      batch_engine(
+          "oplus-batch",
+          "the whole command `oplus batch PAIRS.tsv -o SUMS.jsonl --threads 1` for all pairs of a row",
+          {batch, describe_batch}),
+      batch_engine("oplus-nfp",
+                   "the whole command `oplus batch --parts PARTS.wkt --operation nfp -o NFPS.jsonl "
+                   "--threads 1`",
+                   {batch_of_parts, describe_batch, true}),
+      peer_of_parts("cgal-nfp", "oplus-peer", "cgal-reduced", describe_peer<false>),
+      peer_of_parts("clipper-nfp", "oplus-peer", "clipper", describe_peer<true>),
+      peer_of_parts("cgal-nfp-newest", "oplus-peer-newest", "cgal-reduced", describe_peer<false>),
+      peer_of_parts("clipper2-nfp", "oplus-peer-newest", "clipper2", describe_peer<true>),
   };
 }
 

@@ -40,6 +40,17 @@ void Description::add(const PlanarSet& sum, bool is_rounded) {
   say("\n");
 }
 
+void Description::add(const std::vector<Chain>& chains, bool is_rounded) {
+  PlanarSet as_they_are;
+  BoundaryFeatures features;
+  for (const Chain& chain : chains) {
+    (twice_area(chain) > 0 ? as_they_are.outer : as_they_are.holes).push_back(chain);
+    const std::vector<Segment> of_chain = edges(chain);
+    features.edges.insert(features.edges.end(), of_chain.begin(), of_chain.end());
+  }
+  add(is_rounded ? as_they_are : canonical_sum(features), is_rounded);
+}
+
 std::string Description::label() const {
   std::ostringstream label;
   if (!said_.empty()) label << "digest=" << std::hex << std::hash<std::string>()(said_) << ' ';

@@ -24,6 +24,9 @@ class Description {
   /// Exact sums are in canonical form; chains of other sums are counted as they are.
   void add(const PlanarSet& sum, bool is_rounded = false);
 
+  /// A sum that is to the left of chains, which become canonical if it is exact.
+  void add(const std::vector<Chain>& chains, bool is_rounded);
+
   const std::map<std::string, double>& numbers() const { return numbers_; }
 
   /// "digest=… area=…": of 64 bits of the text, if it is not empty; and the total area of sums, exactly, or

@@ -8,6 +8,7 @@
 #include <boost/version.hpp>
 #include <cmath>
 #include <cstdio>
+#include <fstream>
 #include <iostream>
 #include <polyclipping/clipper.hpp>
 #include <sstream>
@@ -206,6 +207,10 @@ int run(int argc, char** argv) {
                                                std::to_string(BOOST_VERSION / 100000) + '.' +
                                                std::to_string(BOOST_VERSION / 100 % 1000) + '.' +
                                                std::to_string(BOOST_VERSION % 100));
+  std::string newest = "not built";
+  if (std::ifstream versions(program_beside("../newest/versions")); versions)
+    std::getline(versions, newest);
+  benchmark::AddCustomContext("newest", newest);
   register_all(rows);
   if (const auto bytes = static_cast<rlim_t>(1e6 * values["memory"]); bytes > 0) {
     const ::rlimit most{bytes, bytes};

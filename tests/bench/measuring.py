@@ -236,7 +236,7 @@ def setting(context, command, limit):
     describe = ["git", "describe", "--always", "--dirty"]
     commit = subprocess.run(describe, cwd=ROOT, capture_output=True, text=True).stdout if shutil.which("git") else ""
     return {"processor": processor, "cores": os.cpu_count(), "compiler": context.get("compiler", ""),
-            "libraries": context.get("libraries", ""), "commit": commit.strip(), "command": command,
+            "libraries": context.get("libraries", ""), "newest": context.get("newest", ""), "commit": commit.strip(), "command": command,
             "limit": limit}
 
 

@@ -8,23 +8,11 @@ namespace oplus {
 
 namespace {
 
-/// Exact sums in canonical form; rounded ones with their chains as they are.
-PlanarSet sum_of(const ReturnedChains& chains, bool is_rounded) {
-  PlanarSet as_they_are;
-  BoundaryFeatures features;
-  for (const Chain& chain : chains) {
-    (twice_area(chain) > 0 ? as_they_are.outer : as_they_are.holes).push_back(chain);
-    const std::vector<Segment> of_chain = edges(chain);
-    features.edges.insert(features.edges.end(), of_chain.begin(), of_chain.end());
-  }
-  return is_rounded ? as_they_are : canonical_sum(features);
-}
-
 template <typename Method>
 struct Peer : Method {
   void describe(const typename Method::Input& input, const typename Method::Sum& sum,
                 Description& description) const {
-    description.add(sum_of(this->chains(input, sum), Method::rounds), Method::rounds);
+    description.add(this->chains(input, sum), Method::rounds);
   }
 };
 

@@ -56,6 +56,13 @@ class Table(InAFolder):
         for engine in ("oplus-batch", "cgal-sum", "clipper-sum"):
             self.assertRegex(out, f"{engine} .* ms")
 
+    def test_no_fit_polygons_of_parts(self):
+        code, out, err = self.ran("table.py", "--rows", "nesting_shapes0", "--min-time", "0")
+        self.assertEqual((code, err), (0, ""), out)
+        self.assertNotRegex(out, "crashed|failed|DISAGREE|> ")
+        for engine in ("slide", "oplus-nfp", "cgal-nfp", "clipper-nfp"):
+            self.assertRegex(out, f"{engine} .* ms")
+
     def test_faults(self):
         for expected, words, options in ((0, "crashed: signal 6", ("crash",)), (0, "> 0.25 s", ("hang", "--limit", "0.25")),
                                          (1, "DISAGREEMENT", ("rca,wrong",))):

@@ -22,6 +22,7 @@ struct Row {
   std::vector<std::string> engines = {};             ///< those to measure
   std::function<std::vector<Summands>()> make = {};  ///< the same each time
   Boundary boundary = Boundary::closed;              ///< of which sums
+  std::string parts = {};                            ///< the file, where all are pairs of it
   bool about_edges = false;                          ///< the questions of hole tests
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/bench/row.hpp"
 
-#include <fstream>
+#include <filesystem>
 #include <tuple>
 #include <utility>
 
@@ -10,6 +10,7 @@
 #include "reference/families/pairs.hpp"
 #include "reference/families/polygons.hpp"
 #include "reference/io/reading.hpp"
+#include "reference/io/region_lines.hpp"
 #include "tests/bench/engine.hpp"
 
 namespace oplus {
@@ -182,14 +183,38 @@ Row distance_row(const std::string& name, const std::string& what, const Rationa
           }};
 }
 
-/// Two parts of a nesting instance, which has one a line.
+/// Of a nesting instance.
+std::filesystem::path parts_file(const std::string& instance) {
+  return data_folder() / "esicup" / (instance + ".wkt");
+}
+
 Summands two_parts(const std::string& instance, std::uint64_t seed) {
-  std::ifstream file(data_folder() / "esicup" / (instance + ".wkt"));
-  std::vector<Region> parts;
-  for (std::string line; std::getline(file, line);)
-    parts.push_back(read_region(line, instance).region);
+  const std::vector<Region> parts = read_region_lines(parts_file(instance));
   const std::size_t n = parts.size();
   return {parts[seed % n], parts[seed / n % n]};
+}
+
+/// All no-fit polygons of an instance: the sums of P and -Q.
+Row nesting_row(const std::string& instance) {
+  const std::vector<Region> parts = read_region_lines(parts_file(instance));
+  std::size_t vertices = 0;
+  for (const Region& part : parts) vertices += vertex_count(part);
+  return {.name = "nesting_" + instance,
+          .group = "nesting",
+          .what = instance + ": " + std::to_string(parts.size()) + " parts, " +
+                  std::to_string(vertices) + " vertices",
+          .subject = "nesting",
+          .pairs = parts.size() * parts.size(),
+          .engines = {"slide", "oplus-nfp", "cgal-nfp", "cgal-nfp-newest", "clipper-nfp",
+                      "clipper2-nfp"},
+          .make =
+              [parts] {
+                std::vector<Summands> pairs;
+                for (const Region& p : parts)
+                  for (const Region& q : parts) pairs.push_back({p, reflected(q)});
+                return pairs;
+              },
+          .parts = parts_file(instance)};
 }
 
 Rows distance_rows() {
@@ -306,6 +331,9 @@ Rows benchmark_rows() {
     add({50, 100, 200, 400}, [&](std::size_t n) { return convolution_row(kind, n); });
   for (Row& row : made) row.engines = engines_for(row);
   for (Row& row : distance_rows()) made.push_back(std::move(row));
+  for (const char* const instance : {"albano", "blaz1", "dagli", "fu", "jakobs1", "mao", "marques",
+                                     "shapes0", "shirts", "swim", "trousers"})
+    made.push_back(nesting_row(instance));
   return made;
 }
 

@@ -19,7 +19,9 @@ from pathlib import Path
 from measuring import (PROGRAM, REPETITIONS, Engine, Measurement, Program, Row, UsageError, instead_of_number, markdown,
                        measure, plain, report, run, setting, table_of, three_digits)
 
-SUBJECTS = ("sums", "growth", "commands", "certificates", "proved", "distances", "places", "convolution")  # the sections of the page
+SUBJECTS = ("sums", "growth", "commands", "certificates", "proved", "distances", "places", "nesting",
+            "convolution")  # the sections of the page
+PEERS_OF_PARTS = ["cgal-nfp", "cgal-nfp-newest", "clipper-nfp", "clipper2-nfp"]
 TEMPLATE = Path(__file__).parent / "pages/benchmarks.md"
 
 
@@ -202,14 +204,14 @@ def goals_of(run_report):
 
 # The page.
 
-def ratios(rows, engines, limit, first, number):
-    """A line per row, and one of geometric means per group of several rows; rows without a ratio to slide do not count
+def ratios(rows, engines, limit, first, number, base="slide"):
+    """A line per row, and one of geometric means per group of several rows; rows without a ratio to `base` do not count
     for the means."""
     head = table_of([], first).splitlines()[0].strip("| ").split(" | ")
     lines = []
     for group, of_group in groupby(rows, key=lambda row: row.group):
         of_group = list(of_group)
-        found = {engine: [ratio(row, number, engine, "slide", limit) for row in of_group] for engine in engines}
+        found = {engine: [ratio(row, number, engine, base, limit) for row in of_group] for engine in engines}
         for i, row in enumerate(of_group):
             begin = table_of([row], first).splitlines()[2].removeprefix("| ").removesuffix(" |").split(" | ")
             lines.append(begin + [str(found[engine][i]) if found[engine][i] else instead_of_number(row.of(engine))
@@ -258,7 +260,8 @@ def page(run_report, template):
     def where_done(of, *names):
         return [row for row in of if all(row.done(name) for name in names)]
 
-    texts = {**{name: str(value) for name, value in run_report.setting.items()},
+    nesting = run_report.of("nesting")
+    texts = {"newest": "", **{name: str(value) for name, value in run_report.setting.items()},
              "limit": plain(limit), "repetitions": str(REPETITIONS), "measured": str(len(done)),
              "busy": str(sum(m.numbers.get("busy", 0) >= 0.95 for m in done)), "compared": str(len(compared)),
              "equal": str(sum(not row.disagreement() for row in compared)), "remarks": remarks(rows),
@@ -266,6 +269,8 @@ def page(run_report, template):
              "goals": markdown(["goal", "measured", "reached"], goals_of(run_report)),
              "throughput": throughput(sums, engines),
              "ratios": ratios(sums, others, limit, "time / slide = what", "seconds"),
+             "nesting": ratios(nesting, PEERS_OF_PARTS, limit, "no-fit polygons of all pairs = what; calls alone, ms = "
+                               "1000 slide.seconds; oplus batch, ms = 1000 oplus-nfp.seconds", "seconds", "oplus-nfp"),
              "memory": ratios(sums, others, limit, "memory / slide = what; slide, MB = 1 slide.peak_mb", "peak_mb")}
     tables = {"sums": (sums, engines), "lazy_engines": (sums, lazy),
               "rounding_engines": (sums, [engine.name for engine in listed if engine.rounds]),
@@ -273,6 +278,7 @@ def page(run_report, template):
               "commands": (run_report.of("commands"), ()), "certificates": (run_report.of("certificates"), ()),
               "proved": (run_report.of("proved"), ()),
               "distances": (run_report.of("distances"), ()), "places": (run_report.of("places"), ()),
+              "nesting_peers": (nesting, PEERS_OF_PARTS),
               "threads": (where_done(rows, "slide", "slide2"), ()),
               "convolutions": (where_done(rows, "traced", "naive"), ())}
     with_tables = re.sub(r"\{\{#(\w+)\}\}\n(.*?)\{\{/\1\}\}",

@@ -174,6 +174,14 @@ class Page(unittest.TestCase):
         self.assertIn("| three | 4.00 |  |  |\n| *g, geometric mean* | *2.00* |  | *2.00* |",
                       table.page(self.REPORT, "{{ratios}}"))
 
+    def test_no_fit_polygons_are_compared_with_the_whole_command(self):
+        rows = [row(name, of("slide", 0.1), of("oplus-nfp", 0.5), of("cgal-nfp", seconds),
+                    of("clipper2-nfp", 0.25, digest="", sum_holes=2), group="nesting", subject="nesting")
+                for name, seconds in (("a", 1), ("b", 4))]
+        self.assertIn("| a | 100 | 500 | 2.00 |  |  | 0.500 |\n| b | 100 | 500 | 8.00 |  |  | 0.500 |\n"
+                      "| *nesting, geometric mean* |  |  | *4.00* |  |  | *0.500* |", table.page(run_of(*rows), "{{nesting}}"))
+        self.assertIn("| clipper2-nfp, holes | vertices |", table.page(run_of(*rows), table.TEMPLATE.read_text()))
+
     def test_every_name_is_known(self):
         template = table.TEMPLATE.read_text(encoding="utf-8")
         self.assertNotRegex(table.page(self.REPORT, template), r"\{\{|\n\n\n")

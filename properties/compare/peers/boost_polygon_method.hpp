@@ -16,10 +16,11 @@ struct BoostPolygonMethod {
   using Polygon = boost::polygon::polygon_with_holes_data<int>;
   using PolygonSet = boost::polygon::polygon_set_data<int>;
 
+  using Part = PolygonSet;
   struct Input {
-    IntegerScale scale;
     PolygonSet p;
     PolygonSet q;
+    IntegerScale scale = {1};
   };
   using Sum = std::vector<Polygon>;
   static constexpr bool rounds = true;
@@ -27,9 +28,14 @@ struct BoostPolygonMethod {
   /// Differences of two such coordinates are still an int.
   static constexpr long most = 0x3FFFFFFF;
 
+  static IntegerScale scale_of(const std::vector<Region>& regions) {
+    return IntegerScale::of(regions, most, most);
+  }
+  Part part(const Region& region, const IntegerScale& scale) const { return set_of(region, scale); }
+  Input paired(const Part& p, const Part& q) const { return {p, q}; }
   Input converted(const Summands& pair) const {
-    const IntegerScale scale = IntegerScale::of(pair, most);
-    return {scale, set_of(pair.p, scale), set_of(pair.q, scale)};
+    const IntegerScale scale = scale_of({pair.p, pair.q});
+    return {part(pair.p, scale), part(pair.q, scale), scale};
   }
 
   std::vector<Polygon> sum(const Input& pair) const {

@@ -10,8 +10,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "properties/compare/peers/method.hpp"
-
+#include "properties/compare/peers/integer_scale.hpp"
 #include "reference/chains/touching_points.hpp"
 
 namespace oplus {
@@ -23,6 +22,7 @@ struct CgalMethod {
   using Polygon = CGAL::Polygon_2<Kernel>;
   using PolygonWithHoles = CGAL::Polygon_with_holes_2<Kernel>;
 
+  using Part = PolygonWithHoles;
   struct Input {
     PolygonWithHoles p;
     PolygonWithHoles q;
@@ -32,6 +32,14 @@ struct CgalMethod {
   using Sum = PolygonWithHoles;
   static constexpr bool rounds = false;
 
+  /// With integers its filters of doubles decide most.
+  static IntegerScale scale_of(const std::vector<Region>& regions) {
+    return IntegerScale::least(regions);
+  }
+  Part part(const Region& region, const IntegerScale& scale) const {
+    return polygon_of(mapped(region, [&](const Point& p) { return scale.factor * p; }));
+  }
+  Input paired(const Part& p, const Part& q) const { return {p, q}; }
   Input converted(const Summands& pair) const { return {polygon_of(pair.p), polygon_of(pair.q)}; }
 
   ReturnedChains chains(const Input&, const PolygonWithHoles& sum) const {
@@ -101,10 +109,14 @@ struct CgalMethod {
 };
 
 struct CgalWithoutHoles : CgalMethod {
-  Input converted(const Summands& pair) const {
-    Input result = CgalMethod::converted(pair);
+  Input paired(const Part& p, const Part& q) const {
+    Input result{p, q};
     if (!result.is_simple()) throw Unsupported("does not support holes");
     return result;
+  }
+  Input converted(const Summands& pair) const {
+    const auto [p, q] = CgalMethod::converted(pair);
+    return paired(p, q);
   }
 };
 

@@ -5,21 +5,29 @@
 
 namespace oplus {
 
-IntegerScale IntegerScale::of(const Summands& pair, const mpz_class& most) {
+IntegerScale IntegerScale::least(const std::vector<Region>& regions) {
   mpz_class denominator = 1;
-  Rational reach = 0;
-  for (const Region* region : {&pair.p, &pair.q}) {
-    Rational largest = 0;
-    for (const Segment& edge : edges(*region)) {
-      for (const Rational& c : {edge.source.x, edge.source.y}) {
+  for (const Region& region : regions)
+    for (const Segment& edge : edges(region))
+      for (const Rational& c : {edge.source.x, edge.source.y})
         denominator = lcm(denominator, c.get_den());
+  return {denominator};
+}
+
+IntegerScale IntegerScale::of(const std::vector<Region>& regions, const mpz_class& most,
+                              const mpz_class& limit) {
+  Rational first = 0, second = 0;  // the largest of two regions
+  for (const Region& region : regions) {
+    Rational largest = 0;
+    for (const Segment& edge : edges(region))
+      for (const Rational& c : {edge.source.x, edge.source.y})
         largest = std::max(largest, Rational(abs(c)));
-      }
-    }
-    reach += largest;
+    second = std::max(second, std::min(first, largest));
+    first = std::max(first, largest);
   }
-  Rational factor = denominator;
-  if (factor * reach > most) throw Unsupported("does not support such large coordinates");
+  const Rational reach = first + second;
+  auto [factor] = least(regions);
+  if (factor * reach > limit) throw Unsupported("does not support such large coordinates");
   while (reach > 0 && 2 * factor * reach <= most) factor *= 2;
   return {factor};
 }

@@ -1,20 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <vector>
+
 #include "properties/compare/peers/method.hpp"
 
 namespace oplus {
 
-/// A pair scaled to integers, for methods that compute with integers and round to them. The larger the
+/// Regions scaled to integers, for methods that compute with integers and round to them. The larger the
 /// scale, the smaller the rounding errors, so it is as large as the range allows.
 struct IntegerScale {
   Rational factor;
 
-  /// The largest power of two, times the common denominator, with which all coordinates of the
-  /// summands and of their sum are at most `most`. Throws Unsupported where that is less than 1.
-  static IntegerScale of(const Summands& pair, const mpz_class& most);
+  /// The common denominator of all coordinates.
+  static IntegerScale least(const std::vector<Region>& regions);
 
-  /// Requires: value is a coordinate of the pair.
+  /// The largest power of two, times that denominator, with which all coordinates of the regions and of
+  /// the sum of any two are at most `most`; that denominator, where this needs more, but not more than `limit`.
+  /// Throws Unsupported otherwise.
+  static IntegerScale of(const std::vector<Region>& regions, const mpz_class& most,
+                         const mpz_class& limit);
+
+  /// Requires: value is a coordinate of the regions.
   long scaled(const Rational& value) const;
 
   /// Back from the method's coordinates.

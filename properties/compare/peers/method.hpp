@@ -10,10 +10,14 @@
 namespace oplus {
 
 // A method is another library's function for Minkowski sums. It has
+//   using Part = …;   a region in its own form
 //   using Input = …;  a pair in its own form
 //   using Sum = …;    a sum in its own form
 //   static constexpr bool rounds = …;  its sums may be inexact
 //   Input converted(const Summands& pair) const;  throws Unsupported
+//   static IntegerScale scale_of(const std::vector<Region>& regions);  that suits it; throws Unsupported
+//   Part part(const Region& region, const IntegerScale& scale) const;  throws Unsupported
+//   Input paired(const Part& p, const Part& q) const;  in the parts' units; throws Unsupported
 //   Sum sum(const Input& input) const;
 //   ReturnedChains chains(const Input& input, const Sum& sum) const;
 //   and, if it leaves coordinates unevaluated, static void evaluate(const Sum& sum);

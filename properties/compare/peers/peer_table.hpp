@@ -1,44 +1,65 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
+#include <iosfwd>
+#include <string>
+#include <vector>
+
 #include "properties/compare/peers/method.hpp"
 
 namespace oplus {
 
-/// Methods as functions: what each returns for a pair. They throw Unsupported, and may crash or throw
-/// anything else, as the library does.
-using MethodFunction = ReturnedChains(const Summands& pair);
-MethodFunction cgal_reduced, cgal_full, cgal_vertical, cgal_triangulation, cgal_small_side,
-    cgal_optimal, cgal_hertel_mehlhorn, cgal_greene, clipper, boost_polygon;
+/// A method as functions. They throw Unsupported, and may crash or throw anything else, as the library does.
+struct Peer {
+  /// What it returns for a pair.
+  std::function<ReturnedChains(const Summands& pair)> sum;
+
+  /// Writes all no-fit polygons P ⊕ −Q of the parts P and Q, each with itself too, P by P, as the library returns
+  /// them: nothing is checked. The first line is the number by which coordinates are multiplied; each other one is a
+  /// no-fit polygon, as SVG path data. Each part is converted once.
+  std::function<void(const std::vector<Region>& parts, std::ostream& out)> no_fit_polygons;
+};
+
+using MakePeer = Peer();
+MakePeer cgal_reduced, cgal_full, cgal_vertical, cgal_triangulation, cgal_small_side, cgal_optimal,
+    cgal_hertel_mehlhorn, cgal_greene, clipper, clipper2, boost_polygon;
 
 /// Lists the methods of other libraries that oplus has an adapter for, all of them for closed sums
-/// only: calls `row(name, what, method)`. A method is linked only where it is called:
+/// only: calls `row(name, what, make)`. A method is linked only where `make` is called:
 /// `oplus-check` needs the names and not the libraries.
 template <typename Row>
 void for_each_peer(Row row) {
   row("cgal-reduced", "CGAL's reduced convolution; one component, holes",
-      [](const auto& pair) { return cgal_reduced(pair); });
-  row("cgal-full", "CGAL's full convolution; one component, no holes",
-      [](const auto& pair) { return cgal_full(pair); });
+      [] { return cgal_reduced(); });
+  row("cgal-full", "CGAL's full convolution; one component, no holes", [] { return cgal_full(); });
   row("cgal-vertical", "CGAL, by vertical decomposition; one component, holes",
-      [](const auto& pair) { return cgal_vertical(pair); });
+      [] { return cgal_vertical(); });
   row("cgal-triangulation", "CGAL, by triangulation; one component, holes",
-      [](const auto& pair) { return cgal_triangulation(pair); });
+      [] { return cgal_triangulation(); });
   row("cgal-small-side", "CGAL, by small side angle bisectors; one component, no holes",
-      [](const auto& pair) { return cgal_small_side(pair); });
+      [] { return cgal_small_side(); });
   row("cgal-optimal", "CGAL, by optimal convex decomposition; one component, no holes",
-      [](const auto& pair) { return cgal_optimal(pair); });
+      [] { return cgal_optimal(); });
   row("cgal-hertel-mehlhorn",
       "CGAL, by Hertel and Mehlhorn's decomposition; one component, no holes",
-      [](const auto& pair) { return cgal_hertel_mehlhorn(pair); });
+      [] { return cgal_hertel_mehlhorn(); });
   row("cgal-greene", "CGAL, by Greene's decomposition; one component, no holes",
-      [](const auto& pair) { return cgal_greene(pair); });
+      [] { return cgal_greene(); });
   row("clipper",
       "Clipper 6, filled by the larger summand; one component, holes in the larger summand; rounds",
-      [](const auto& pair) { return clipper(pair); });
+      [] { return clipper(); });
+#ifdef OPLUS_CLIPPER2
+  row("clipper2",
+      "Clipper2, filled by the larger summand; one component, holes in the larger summand; rounds",
+      [] { return clipper2(); });
+#endif
   row("boost-polygon", "Boost.Polygon's convolution of polygon sets; any region; rounds",
-      [](const auto& pair) { return boost_polygon(pair); });
+      [] { return boost_polygon(); });
 }
+
+/// The versions of the libraries that the methods are of, and of the compiler.
+std::string libraries_of_peers();
 
 /// Exit codes by which `oplus-peer` and other programs say why they return no sum. For
 /// 77 see the manual of GNU Automake, for 65 sysexits.h.

@@ -32,6 +32,16 @@ TEST_F(ConformanceCommand, an_engine_of_oplus_conforms) {
   EXPECT_EQ(content("two.md"), content("a/c.md"));
 }
 
+TEST_F(ConformanceCommand, is_of_the_parts_of_files_alone_where_there_are) {
+  put("two.wkt", "POLYGON((0 0,2 0,2 1,0 1,0 0))\nPOLYGON((0 0,2 0,0 3,0 0))\n");
+  const Ran ran = conformance("--engine slide --parts two.wkt --parts two.wkt --report r.json");
+  EXPECT_EQ(ran.exit_code, 0) << ran.out << ran.err;
+  const auto report = nlohmann::json::parse(content("r.json"));
+  EXPECT_EQ(report.at("pairs"), 8);
+  EXPECT_EQ(report.at("all").at("sums").at("passed"), 16);
+  EXPECT_EQ(conformance("--engine slide --parts nowhere.wkt").exit_code, 2);
+}
+
 TEST_F(ConformanceCommand, refuses_invalid_usage) {
   EXPECT_EQ(conformance("").exit_code, 2);
   EXPECT_EQ(conformance("--engine nonsense").exit_code, 2);

@@ -28,6 +28,21 @@ TEST_F(PairsOfFolder, are_parts_and_everything_else_with_each_other) {
                                              "lone_part1 lone_part1", "x_part1 x_part2"}));
 }
 
+class PartsSource : public Shell {};
+
+TEST_F(PartsSource, has_the_sum_of_each_part_and_each_reflected) {
+  put("two.wkt", "POLYGON((0 0,1 0,0 1,0 0))\nPOLYGON((0 0,2 0,0 3,0 0))\n");
+  const std::string here = run("pwd").out;
+  const TaskSource source = parts_source(here.substr(0, here.size() - 1) + "/two.wkt");
+  EXPECT_EQ(source.part, "parts");
+  EXPECT_EQ(source.name, "two");
+  ASSERT_EQ(source.tasks, 4U);
+  const Task task = source.task(2);
+  EXPECT_EQ(task.name, "two, P is part 2 and -Q part 1");
+  EXPECT_EQ(task.pair,
+            (Summands{polygon({{0, 0}, {2, 0}, {0, 3}}), polygon({{0, 0}, {-1, 0}, {0, -1}})}));
+}
+
 TEST(Sources, make_the_same_task_for_the_same_number) {
   for (const TaskSource& source : {family_source(*find_family("grid"), 3, 5, std::nullopt),
                                    grid_source(3, 3), corpus_sources().at(0)}) {

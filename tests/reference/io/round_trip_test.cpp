@@ -2,10 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
 #include <string>
 
 #include "reference/chains/region_of.hpp"
+#include "reference/io/region_lines.hpp"
 #include "reference/io/writing.hpp"
 #include "tests/reference/io/from_text.hpp"
 #include "tests/reference/io/published_data.hpp"
@@ -83,10 +83,9 @@ INSTANTIATE_TEST_SUITE_P(Data, PublishedFile,
 TEST(PublishedParts, are_valid_and_round_trip) {
   std::size_t parts = 0;
   for (const auto& instance : std::filesystem::directory_iterator(data_folder() / "esicup")) {
-    std::ifstream file(instance.path());
-    for (std::string part; std::getline(file, part); ++parts) {
-      SCOPED_TRACE(instance.path().string() + ": " + part);
-      expect_round_trips(region_from(part).region);
+    for (const Region& part : read_region_lines(instance.path())) {
+      SCOPED_TRACE(instance.path().string() + ": " + std::to_string(++parts));
+      expect_round_trips(part);
     }
   }
   EXPECT_EQ(parts, 114U);
