@@ -31,11 +31,13 @@ Proof.
   pose proof (certified_pieces r r_certified) as r_pieces. pose proof (certified_pieces s s_certified) as s_pieces.
   rewrite Forall_forall in r_pieces, s_pieces.
   destruct (region_is_in_pieces _ _ _ r_certified x in_r) as (t & T & in_t).
-  destruct (inside_near_alone t (as_vector x) radius (r_pieces t T) in_t R) as (y & close & in_y & alone).
+  destruct (strictly_inside_piece_near t (as_vector x) radius (r_pieces t T) in_t R) as (y & close & in_y).
   exists (as_point y). rewrite as_vector_of_point. split; [exact close |]. split.
-  - apply (pieces_are_in_region _ _ _ r_certified (pieces_of_corners _) t); [exact T |]. now rewrite as_vector_of_point.
+  - apply (pieces_are_in_region _ _ _ r_certified (pieces_of_corners _) t); [exact T |]. rewrite as_vector_of_point.
+    intros l L. now apply Qlt_le_weak, in_y.
   - intros in_s. destruct (region_is_in_pieces _ _ _ s_certified _ in_s) as (u & U & in_u).
-    rewrite as_vector_of_point in in_u. exact (alone u (s_pieces u U) (apart t u T U) in_u).
+    rewrite as_vector_of_point in in_u.
+    exact (strictly_inside_is_alone t u y (r_pieces t T) (s_pieces u U) (apart t u T U) in_y in_u).
 Qed.
 
 Lemma inner_points_near (x : point) (r : polygonal_region) : is_inner_point x r ->
