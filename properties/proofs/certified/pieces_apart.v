@@ -54,11 +54,11 @@ Proof.
   intros T U (n & some & less) strictly in_u.
   assert (near : forall a, In a (corners_of t) -> dot n (vector_of a) <= dot n y)
     by (intros a A; apply (inside_is_as_far n _ u); [apply U .. | auto | exact in_u]).
-  assert (moved : forall l e, value_at l (moved_along y n e) == value_at l y + e * dot (normal_of l) n)
+  assert (moved_value : forall l e, value_at l (moved_along y n e) == value_at l y + e * dot (normal_of l) n)
     by (intros l e; unfold value_at, moved_along, dot, normal_of; cbn [vx vy]; ring).
   destruct (some_small _ (eventually_for_all (fun l e => 0 < value_at l y + e * dot (normal_of l) n) (side_lines t)
     (fun l L => eventually_positive _ _ (strictly l L)))) as (e & E & stays).
-  assert (in_t : inside_piece t (moved_along y n e)) by (intros l L; rewrite moved; now apply Qlt_le_weak, stays).
+  assert (in_t : inside_piece t (moved_along y n e)) by (intros l L; rewrite moved_value; now apply Qlt_le_weak, stays).
   pose proof (inside_is_less_far n _ t _ T near in_t) as no_farther.
   pose proof (square_positive n some). unfold moved_along, dot in *. cbn [vx vy] in *. nra.
 Qed.
