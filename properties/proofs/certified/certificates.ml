@@ -92,7 +92,7 @@ let rec cells depth text =
       end_line text;
       let one = cells (depth + 1) text in
       let other = cells (depth + 1) text in
-      Proved.Cut ({ la; lb; lc }, one, other)
+      Proved.Cut ({ la; lb; lc }, None, one, other)
   | word -> refuse text (Files.quoted word) (Printf.sprintf "'in', or 'cut' in a tree of depth at most %d" deepest_tree)
 
 let certificate p q s text =
@@ -116,6 +116,6 @@ let certificate p q s text =
   let sum_pieces = lines text "pieces" piece_with_tree in
   expect text "end";
   end_line text;
-  { Proved.unit0 = unit_; of_p; of_q; sum_inserted; sum_pieces }
+  { Proved.unit0 = unit_; of_p; of_q; sum_inserted; sum_pieces; seams = [] }
 
 let read name p q s = read_file name (certificate p q s)

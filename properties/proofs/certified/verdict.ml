@@ -31,11 +31,13 @@ let why s (certificate : Proved.certificate) = function
   | CellOutside n ->
       Printf.sprintf "piece %s of S, %s, is not shown to consist of sums" (Z.to_string n)
         (corners (fst (List.nth certificate.sum_pieces (Z.to_int n))))
+  | DiagonalsOfS -> "a side of a piece of S is no edge of S, and has no seam"
+  | SeamOutside n -> Printf.sprintf "seam %s of S is not shown to consist of sums" (Z.to_string n)
   | EdgesOfP -> "edges of P cross or overlap"
   | EdgesOfQ -> "edges of Q cross or overlap"
   | EdgesOfS -> "edges of S cross or overlap"
 
 let of_certificate p q s certificate =
-  match Proved.check p q s certificate with
+  match Proved.check false p q { open_chains = s; dangling_edges = []; isolated_points = [] } certificate with
   | None -> (0, "certified")
   | Some refusal -> (1, "not certified: " ^ why s certificate refusal)
