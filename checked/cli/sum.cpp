@@ -55,8 +55,6 @@ std::vector<std::string> outputs(const SumOptions& options) {
 
 void require_certifiable(const SumOptions& options) {
   if (!options.certificate) return;
-  if (options.boundary == Boundary::open)
-    throw UsageError("--certificate is for sums of closed regions, without --open");
   if (output_grid(options.output))
     throw UsageError("--certificate is for exact sums, without --digits and --grid");
 }
@@ -226,7 +224,11 @@ Run done(const SumOptions& options, const Engine& engine, EngineOptions engine_o
   const std::string certificate = timed(run.certificate, [&] {
     if (!options.certificate) return std::string();
     step.next("making the certificate");
-    return written(certificates::certificate(p, q, region));
+    return written(options.boundary == Boundary::closed
+                       ? certificates::certificate(p, q, region)
+                       : certificates::open_certificate(p, q,
+                                                        {region, computed.sum.dangling_edges,
+                                                         computed.sum.isolated_vertices}));
   });
   step.next("writing the sum");
   std::vector<OutputTo> others;
