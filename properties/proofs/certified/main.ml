@@ -35,17 +35,25 @@ let echo name region =
   in
   List.iter (fun chain -> Printf.printf "chain of %d vertices\n" (List.length chain); List.iter vertex chain) region
 
+let check_sum ~is_open is_echoed p q s certificate =
+  let p = Regions.read p and q = Regions.read q in
+  let s =
+    if is_open then Inputs.read_set s
+    else { Proved.open_chains = Regions.read s; dangling_edges = []; isolated_points = [] }
+  in
+  if is_echoed then begin
+    echo "P" p;
+    echo "Q" q;
+    echo "S" s.open_chains
+  end;
+  let kind = if is_open then "open-sum" else "sum" in
+  let code, verdict = Verdict.of_sum ~is_open p q s (Certificates.read kind certificate p q s) in
+  print_endline verdict;
+  code
+
 let check is_echoed = function
-  | [ p; q; s; certificate ] ->
-      let p = Regions.read p and q = Regions.read q and s = Regions.read s in
-      if is_echoed then begin
-        echo "P" p;
-        echo "Q" q;
-        echo "S" s
-      end;
-      let code, verdict = Verdict.of_certificate p q s (Certificates.read certificate p q s) in
-      print_endline verdict;
-      code
+  | [ p; q; s; certificate ] | [ "sum"; p; q; s; certificate ] -> check_sum ~is_open:false is_echoed p q s certificate
+  | [ "open-sum"; p; q; s; certificate ] -> check_sum ~is_open:true is_echoed p q s certificate
   | files -> Program.refuse (Printf.sprintf "%d files; expected P Q S CERTIFICATE (see --help)" (List.length files))
 
 let answer arguments =

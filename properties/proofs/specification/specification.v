@@ -171,3 +171,8 @@ Definition edges_touch_at_most (r : polygonal_region) : Prop :=
 Definition accepts_only_sums {certificate : Type} (accepts : polygonal_region -> polygonal_region -> polygonal_region -> certificate -> bool) : Prop :=
   forall p q s c, accepts p q s c = true ->
     is_minkowski_sum p q s /\ edges_touch_at_most p /\ edges_touch_at_most q /\ edges_touch_at_most s.
+
+(* The same of open sums. *)
+Definition accepts_only_open_sums {certificate : Type} (accepts : polygonal_region -> polygonal_region -> open_region -> certificate -> bool) : Prop :=
+  forall p q s c, accepts p q s c = true ->
+    is_open_sum p q s /\ edges_touch_at_most p /\ edges_touch_at_most q /\ edges_touch_at_most (open_chains s).
