@@ -14,7 +14,7 @@ Open Scope Q_scope.
 
 (* Theorem. *)
 Theorem accepted_no_fits_are_no_fits : accepts_only_no_fits accepts_no_fit.
-Proof. intros a b s c accepted. now apply overlaps_by_open_sum, (accepted_open_sums_are_open_sums a _ s c). Qed.
+Proof. intros a b s c accepted. apply overlaps_by_open_sum. now apply (accepted_open_sums_are_open_sums a _ s c). Qed.
 
 (** The set around the placements *)
 
@@ -113,22 +113,19 @@ Section InnerFit.
   Proof.
     destruct (accepted_regions _ _ _ _ accepted) as (p_region & q_region & s_region).
     pose proof sum_apart as s_apart. rewrite <- (map_map fst piece_of) in s_region, s_apart.
-    assert (all_pieces : forall es inserted polygons, are_a_region es inserted (map piece_of polygons) = true ->
-      forall t, In t (map piece_of polygons) -> is_piece t) by exact pieces_of_polygons_are_convex.
-    pose proof (all_pieces _ _ _ p_region) as p_pieces. pose proof (all_pieces _ _ _ q_region) as q_pieces.
-    pose proof (all_pieces _ _ _ s_region) as s_pieces.
+    pose proof (all_pieces _ _ _ p_region) as p_pieces. pose proof (all_pieces _ _ _ s_region) as s_pieces.
     pose proof (no_overlap_is_found _ _ (proj2 (Forall_forall _ _) p_pieces) outside_apart) as p_apart.
     apply no_overlap_is_found in s_apart; [| now apply Forall_forall].
     intros x. rewrite <- same_placements, <- (placements_in_the_square (2 * m) outer f inside_ beyond_). revert x.
     apply placements_are_the_inner_fit; trivial.
     - intros x. apply (outside_goes_round_once a m); [lra | exact a_fits |]. intros y.
-      exact (pieces_apart_go_round_once _ _ _ p_region p_pieces y p_apart).
+      exact (pieces_apart_go_round_once _ _ _ p_region y p_apart).
     - intros y radius in_b R.
-      destruct (inner_points_are_near _ _ _ q_region q_pieces (Point (0 - x_of y) (0 - y_of y)) radius)
+      destruct (inner_points_are_near _ _ _ q_region (Point (0 - x_of y) (0 - y_of y)) radius)
         as (z & close & inner_z); [now apply members_of_half_turned | exact R |].
       exists (Point (0 - x_of z) (0 - y_of z)). split; [by_computing | now apply inner_points_of_half_turned].
     - apply overlaps_by_open_sum. now apply (accepted_open_sums_are_open_sums _ _ s sum_).
-    - intros x. rewrite <- boundary_is. exact (pieces_apart_go_round_once _ _ _ s_region s_pieces x s_apart).
+    - intros x. rewrite <- boundary_is. exact (pieces_apart_go_round_once _ _ _ s_region x s_apart).
   Qed.
 End InnerFit.
 

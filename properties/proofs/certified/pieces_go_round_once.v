@@ -4,35 +4,20 @@
    none of some lines is in at most one triangle of a fan, since beyond a triangle all later ones are on the other side;
    and it is in at most one piece. *)
 From Coq Require Import QArith Lqa ZArith Lia Bool List.
-From Oplus Require Import regions specification checker direction rotation angular_crossings winding_number shifted_ray
+From Oplus Require Import regions specification checker direction rotation angular_crossings winding_number 
   small_numbers signed_crossings neighbourhoods edges_of_valid_regions homogeneous_points specification_bridge fans
-  winding_numbers_of_triangles pieces_cover edges_beside_sums sums_are_inside layout_checker pieces_apart.
+  winding_numbers_of_triangles pieces_cover edges_beside_sums sums_are_inside inner_sums certified_open_sums
+  layout_checker pieces_apart.
 Import ListNotations.
 
 Open Scope Q_scope.
 
-(** A point off some lines *)
-
-Lemma eventually_off_a_line (a b : Q) : ~ (a == 0 /\ b == 0) -> eventually (fun e => ~ a + e * b == 0).
-Proof.
-  intros some. destruct (Q_dec a 0) as [[low | high] | zero_].
-  - refine (eventually_implied _ _ _ (eventually_positive (- a) (- b) ltac:(lra))). intros e. lra.
-  - refine (eventually_implied _ _ _ (eventually_positive a b high)). intros e. lra.
-  - refine (eventually_implied _ _ _ (eventually_below 1 ltac:(reflexivity))). intros e [E _] none.
-    assert (product : e * b == 0) by lra. apply Qmult_integral in product. destruct product; [lra | tauto].
-Qed.
-
 Lemma off_lines_near (lines : list line) (x : vector) (radius : Q) : (forall l, In l lines -> nonzero (normal_of l)) ->
-  0 < radius -> exists y, within radius x y /\ forall l, In l lines -> ~ value_at l y == 0.
+  0 < radius -> exists y, within radius x y /\ is_off_lines lines y.
 Proof.
-  intros proper R.
-  destruct (some_small _ (eventually_for_all (fun l s => ~ vx (normal_of l) + s * vy (normal_of l) == 0) lines
-    (fun l L => eventually_off_a_line _ _ (proper l L)))) as (s & _ & across).
-  destruct (some_small _ (eventually_and _ _ (small_steps_stay_within radius x (Vector 1 s) R)
-    (eventually_for_all (fun l e => ~ value_at l x + e * (vx (normal_of l) + s * vy (normal_of l)) == 0) lines
-      (fun l L => eventually_off_a_line _ _ (fun both => across l L (proj2 both)))))) as (e & _ & close & free).
-  exists (moved_along x (Vector 1 s) e). split; [exact close |]. intros l L on. apply (free l L). rewrite <- on.
-  unfold value_at, moved_along, normal_of. cbn [vx vy]. ring.
+  intros proper R. destruct (some_direction_is_across lines proper) as (v & across).
+  destruct (some_small _ (eventually_and _ _ (small_steps_stay_within radius x v R) (steps_leave_lines lines x v across)))
+    as (e & _ & close & free). now exists (moved_along x v e).
 Qed.
 
 (** One piece *)
@@ -93,12 +78,12 @@ Lemma off_a_line (o b : hpoint) (y : vector) : ~ value_at (line_through o b) y =
 Proof. intros off_ none. apply off_. rewrite value_of_line_through, none. ring. Qed.
 
 Lemma piece_goes_round_once (t : piece) (y : vector) : is_piece t ->
-  (forall l, In l (lines_of t) -> ~ value_at l y == 0) ->
-  (0 <= number_of_piece y t <= 1)%Z /\ (number_of_piece y t <> 0%Z -> strictly_inside_piece t y).
+  is_off_lines (lines_of t) y ->
+  (0 <= number_of_piece y t <= 1)%Z /\ (number_of_piece y t <> 0%Z -> strictly_in t y).
 Proof.
   intros [convex lines] free. pose proof convex as fan. unfold is_convex in fan. apply andb_true_iff in fan.
   destruct fan as [fan _]. unfold number_of_piece.
-  assert (inside_ : sum (map (number_in_triangle y) (fan_triangles (corners_of t))) <> 0%Z -> strictly_inside_piece t y).
+  assert (inside_ : sum (map (number_in_triangle y) (fan_triangles (corners_of t))) <> 0%Z -> strictly_in t y).
   { intros (([o b] & c) & K & some)%some_term_is_not_zero l L.
     pose proof (fan_triangles_turn_left _ _ _ _ fan K) as turn_.
     destruct (fan_triangles_have_corners _ _ _ _ K) as (O & B & C).
@@ -146,9 +131,12 @@ Proof.
 Qed.
 
 Section Region.
-  Variables (r : polygonal_region) (inserted : list (list hpoint)) (pieces : list piece).
+  Variables (r : polygonal_region) (inserted : list (list hpoint)) (polygons : list polygon).
+  Let pieces := map piece_of polygons.
   Hypothesis accepted : are_a_region (hedges_of_region r) inserted pieces = true.
-  Hypothesis all_pieces : forall t, In t pieces -> is_piece t.
+
+  Lemma all_pieces (t : piece) : In t pieces -> is_piece t.
+  Proof. exact (pieces_of_polygons_are_convex _ _ _ accepted t). Qed.
 
   (* Theorem. *)
   Theorem pieces_apart_go_round_once (x : vector) : ForallOrdPairs are_apart pieces -> off x (boundary r) ->
@@ -160,7 +148,7 @@ Section Region.
     destruct (near y close) as [_ <-]. rewrite (winding_number_of_pieces _ _ _ accepted).
     change (sum (map _ pieces)) with (sum (map (number_of_piece y) pieces)).
     assert (each : forall t, In t pieces -> (0 <= number_of_piece y t <= 1)%Z /\
-      (number_of_piece y t <> 0%Z -> strictly_inside_piece t y)).
+      (number_of_piece y t <> 0%Z -> strictly_in t y)).
     { intros t T. apply piece_goes_round_once; [now apply all_pieces |]. intros l L. apply off_lines, in_flat_map.
       now exists t. }
     assert (0 <= sum (map (number_of_piece y) pieces))%Z by (apply terms_are_less; intros t T; now apply each).
@@ -168,42 +156,31 @@ Section Region.
     apply at_most_one_term; [intros t T; now apply each |]. refine (weaker_pairs _ _ _ _ apart). intros t u T U apart_.
     destruct (Z.eq_dec (number_of_piece y t) 0) as [| some_t]; [now left |].
     destruct (Z.eq_dec (number_of_piece y u) 0) as [| some_u]; [now right | exfalso].
-    apply (strictly_inside_is_alone t u y (all_pieces t T) (all_pieces u U) apart_ (proj2 (each t T) some_t)).
+    apply (strictly_in_alone t u y (all_pieces t T) (all_pieces u U) apart_ (proj2 (each t T) some_t)).
     intros l L. apply Qlt_le_weak. now apply (proj2 (each u U) some_u).
   Qed.
 
-  (* Near a point of a piece are all points of a small square in it. *)
-  Lemma square_in_a_piece (t : piece) (y : vector) : strictly_inside_piece t y ->
-    exists radius, 0 < radius /\ forall z, within radius y z -> inside_piece t z.
-  Proof.
-    intros strictly. destruct (some_small _ (eventually_for_all
-      (fun l radius => 0 < value_at l y + radius * - (Qabs.Qabs (vx (normal_of l)) + Qabs.Qabs (vy (normal_of l))))
-      (side_lines t) (fun l L => eventually_positive _ _ (strictly l L)))) as (radius & R & stays).
-    exists radius. split; [exact R |]. intros z [X Y] l L. specialize (stays l L).
-    pose proof (product_bounds _ (vx (normal_of l)) _ X). pose proof (product_bounds _ (vy (normal_of l)) _ Y).
-    assert (value_is : value_at l z == value_at l y + (vx z - vx y) * vx (normal_of l) + (vy z - vy y) * vy (normal_of l))
-      by (unfold value_at, normal_of; cbn [vx vy]; ring). lra.
-  Qed.
-
-  (* Theorem. *)
+  (* Theorem. A small step from a point strictly in a piece, along no side, leads off all edges. *)
   Theorem inner_points_are_near (x : point) (radius : Q) : member x r -> 0 < radius ->
     exists z, within radius (as_vector x) (as_vector z) /\ is_inner_point z r.
   Proof.
     intros in_r R. destruct (region_is_in_pieces _ _ _ accepted x in_r) as (t & T & in_t).
-    destruct (strictly_inside_piece_near t (as_vector x) ((1 # 2) * radius) (all_pieces t T) in_t) as (y & close & strictly);
-      [lra |].
-    destruct (square_in_a_piece t y strictly) as (small & S & in_square_).
-    destruct (some_small _ (eventually_and _ _ (eventually_and _ _ (shifted_stays_within small y S)
-      (shifted_stays_within ((1 # 2) * radius) y ltac:(lra))) (shifted_off_all y (boundary r))))
-      as (e & _ & (close_s & close_z) & free).
-    set (z := moved (shifted y) e) in *. exists (as_point z). rewrite as_vector_of_point.
+    destruct (strictly_in_near t (as_vector x) ((1 # 2) * radius) (all_pieces t T) in_t) as (y & close & strict); [lra |].
+    destruct (some_direction_is_across (flat_map side_lines pieces)) as (v & across).
+    { intros l (u & U & L)%in_flat_map. destruct (all_pieces u U). now apply (side_line_has_a_normal u). }
+    destruct (some_small _ (eventually_and _ _ (small_steps_stay_within ((1 # 2) * radius) y v ltac:(lra))
+      (eventually_and _ _ (stays_strictly_in t y v strict) (steps_leave_lines _ y v across))))
+      as (e & _ & close_z & in_z & off_lines).
+    exists (as_point (moved_along y v e)). rewrite inner_point_by_boundary, as_vector_of_point.
     split; [unfold within in *; lra |].
-    assert (in_z : member (as_point z) r).
+    assert (free : off (moved_along y v e) (boundary r)).
+    { apply (off_boundary_if_off_lines r inserted polygons (flat_map side_lines pieces)); [exact accepted | | exact off_lines].
+      intros u l U L. apply in_flat_map. now exists u. }
+    split; [| exact free].
+    assert (there : member (as_point (moved_along y v e)) r).
     { apply (pieces_are_in_region _ _ _ accepted (fun u U => proj2 (all_pieces u U)) t _ T). rewrite as_vector_of_point.
-      now apply in_square_. }
-    assert (off_z : forall f, In f (edges_of_region r) -> ~ is_on (as_point z) f).
-    { intros f F on. apply is_on_is in on. rewrite as_vector_of_point in on. refine (free _ _ on).
-      unfold boundary, hedges_of_region. apply in_map, in_map_iff. now exists f. }
-    split; [| exact off_z]. destruct in_z as [(f & F & on) | round]; [destruct (off_z f F on) | exact round].
+      now apply strictly_in_is_inside. }
+    apply member_is in there. rewrite as_vector_of_point in there.
+    destruct there as [(s & S & on) | round]; [destruct (free s S on) | exact round].
   Qed.
 End Region.
