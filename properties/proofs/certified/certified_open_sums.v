@@ -1,15 +1,15 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* The theorem for open sums: what the checker (checker.v) accepts is all sums of points inside P and points inside Q. These
-   are the sums of points strictly inside pieces: moved a little in opposite directions, along no side of a piece, two
-   points inside P and Q are strictly inside pieces, and points strictly inside pieces are on no edge of P and Q. No edge
-   of S, dangling edge or isolated point has such a sum on it, since all are beside T + U (edges_beside_sums.v). And
-   what is inside S is such a sum or left out: by cells and seams in the pieces of S (seams_are_covered.v), by seams on the
-   diagonals between them. *)
+(* The theorem for open sums: what the checker (checker.v) accepts is all sums of points inside P and points inside Q.
+   These are the sums of points strictly inside pieces: moved a little in opposite directions, along no side of a piece,
+   two points inside P and Q are strictly inside pieces, and points strictly inside pieces are on no edge of P and Q. No
+   edge of S, dangling edge or isolated point has such a sum on it, since all are beside T + U (edges_beside_sums.v). And
+   what is inside S is such a sum or left out: by cells and seams in the pieces of S (seams_are_covered.v), by seams on
+   the diagonals between them. *)
 From Coq Require Import QArith Lqa ZArith Lia Bool List FMapPositive.
 From Oplus Require Import specification checker direction angular_crossings winding_number small_numbers neighbourhoods
   homogeneous_points specification_bridge fans sums_of_pieces clipped_polygons balanced_edges pieces_cover
-  connected_pieces edges_beside_sums sums_are_inside inner_sums seams_are_covered off_the_sides_of_a_piece what_is_checked
-  certified_sums.
+  connected_pieces edges_beside_sums sums_are_inside inner_sums seams_are_covered off_the_sides_of_a_piece
+  what_is_checked certified_sums.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -92,7 +92,7 @@ Section Checked.
   Qed.
 
   (* A point inside a region, with the points near it. *)
-  Lemma inner_points_near (r : polygonal_region) (x : point) (v : vector) : is_inner_point x r ->
+  Lemma members_near (r : polygonal_region) (x : point) (v : vector) : is_inner_point x r ->
     eventually (fun e => member (as_point (moved_along (as_vector x) v e)) r).
   Proof.
     rewrite inner_point_by_boundary. intros [round free].
@@ -107,7 +107,7 @@ Section Checked.
   Proof.
     intros in_p in_q [x_x x_y]. destruct direction_across as (v & across).
     destruct (some_small _ (eventually_and _ _
-      (eventually_and _ _ (inner_points_near p a v in_p) (inner_points_near q b (opposite_of v) in_q))
+      (eventually_and _ _ (members_near p a v in_p) (members_near q b (opposite_of v) in_q))
       (eventually_and _ _ (proj1 (across (as_vector a))) (proj2 (across (as_vector b))))))
       as (e & _ & [a_in b_in] & a_off & b_off).
     apply (region_is_in_pieces _ _ _ (p_is_made_of_pieces _ _ _ _ _ checked)) in a_in. destruct a_in as (t & T & a_in).
@@ -127,7 +127,8 @@ Section Checked.
     destruct (some_small _ (eventually_and _ _
       (eventually_and _ _ (stays_strictly_in t a v A) (stays_strictly_in u b (opposite_of v) B))
       (eventually_and _ _ (proj1 (across a)) (proj2 (across b))))) as (e & _ & [a_in b_in] & a_off & b_off).
-    assert (inner_ : forall r inserted polygons m y, are_a_region (hedges_of_region r) inserted (map piece_of polygons) = true ->
+    assert (inner_ : forall r inserted polygons m y,
+      are_a_region (hedges_of_region r) inserted (map piece_of polygons) = true ->
       (forall m l, In m (map piece_of polygons) -> In l (side_lines m) -> In l lines) -> In m (map piece_of polygons) ->
       strictly_in m y -> is_off_lines lines y -> is_inner_point (as_point y) r).
     { intros r inserted polygons m y accepted its M y_in y_off. apply inner_point_by_boundary.
@@ -141,7 +142,8 @@ Section Checked.
     eexists _, _.
     split; [exact (inner_ _ _ _ t _ (p_is_made_of_pieces _ _ _ _ _ checked) lines_of_p T a_in a_off) |].
     split; [exact (inner_ _ _ _ u _ (q_is_made_of_pieces _ _ _ _ _ checked) lines_of_q U b_in b_off) |].
-    unfold equal_points, added, moved_along, opposite_of, as_vector, as_point in *. cbn [vx vy x_of y_of sum_of_points] in *.
+    unfold equal_points, added, moved_along, opposite_of, as_vector, as_point in *.
+    cbn [vx vy x_of y_of sum_of_points] in *.
     rewrite x_x, x_y. split; ring.
   Qed.
 
@@ -154,10 +156,10 @@ Section Checked.
     destruct (all_beside (unit c) _ _ _ p_pieces_are_convex q_pieces_are_convex (edges_are_beside _ _ _ _ _ checked)
       e t u E T U) as (n & some & sides_).
     destruct (p_pieces_are_convex t T) as [t_convex t_lines]. destruct (q_pieces_are_convex u U) as [u_convex u_lines].
-    pose proof (inner_sum_is_farther_than n (dot n (vector_of (fst e))) t u x t_convex t_lines u_convex u_lines some x_in
-      (fun a b A B => proj1 (sides_ a b A B))) as first.
-    pose proof (inner_sum_is_farther_than n (dot n (vector_of (snd e))) t u x t_convex t_lines u_convex u_lines some x_in
-      (fun a b A B => proj2 (sides_ a b A B))) as second.
+    pose proof (inner_sum_is_farther_than n (dot n (vector_of (fst e))) t u x t_convex t_lines u_convex u_lines some
+      x_in (fun a b A B => proj1 (sides_ a b A B))) as first.
+    pose proof (inner_sum_is_farther_than n (dot n (vector_of (snd e))) t u x t_convex t_lines u_convex u_lines some
+      x_in (fun a b A B => proj2 (sides_ a b A B))) as second.
     pose proof (mixed_is_less k _ _ _ range first second) as less.
     assert (x_is : dot n x == (1 - k) * dot n (vector_of (fst e)) + k * dot n (vector_of (snd e)))
       by (unfold dot; rewrite X, Y; ring). lra.
@@ -165,9 +167,10 @@ Section Checked.
 
   (* What is inside S is a sum of points strictly inside pieces, or left out. *)
   Lemma inside_is_covered (x : point) : is_inner_point x (open_chains s) ->
-    is_covered (p_pieces c) (q_pieces c) (dangling s) (isolated s) (as_vector x).
+    is_sum_or_left_out (p_pieces c) (q_pieces c) (dangling s) (isolated s) (as_vector x).
   Proof.
-    intros inside_. pose proof inside_ as [round _]. apply inner_point_by_boundary in inside_. destruct inside_ as [_ free].
+    intros inside_. pose proof inside_ as [round _]. apply inner_point_by_boundary in inside_.
+    destruct inside_ as [_ free].
     pose proof (s_is_made_of_pieces _ _ _ _ _ checked) as s_region. unfold s_pieces in s_region.
     pose proof s_region as of_corners. rewrite <- (map_map fst piece_of) in of_corners.
     pose proof (pieces_of_polygons_are_convex _ _ _ of_corners) as convex. rewrite map_map in convex.
@@ -188,8 +191,8 @@ Section Checked.
         { intros [x_is y_is]. apply (not_end a); [now left |]. destruct on_d as (k & _ & X & Y).
           cbn [fst snd segment_of_hedge source target] in *. rewrite <- x_is in X. rewrite <- y_is in Y. split; lra. }
         unfold is_seam_of_edge in found. cbn [fst snd] in *.
-        apply (seam_is_covered (p_pieces c) (q_pieces c) (dangling s) (isolated s) p_pieces_are_convex q_pieces_are_convex
-          (line_through a b) (later its_seam) (line_has_a_normal a b apart) a b (beginning its_seam) _ found);
+        apply (seam_is_covered (p_pieces c) (q_pieces c) (dangling s) (isolated s) p_pieces_are_convex
+          q_pieces_are_convex (line_through a b) (later its_seam) (line_has_a_normal a b apart) a b (beginning its_seam) _ found);
           [apply value_at_first | apply value_at_second |].
         split; [exact apart |]. destruct on_d as (k & range & X & Y). cbn [segment_of_hedge fst snd source target] in *.
         exists k. split; [| now split].
@@ -199,8 +202,8 @@ Section Checked.
         { rewrite k_is in X, Y. split; lra. }
         lra.
     - apply in_map_iff in T. destruct T as (d & t_is & D). subst t.
-      apply (cells_are_covered (p_pieces c) (q_pieces c) (dangling s) (isolated s) p_pieces_are_convex q_pieces_are_convex
-        (snd d) (fst d) _ (cells_are_checked _ _ _ _ _ checked d D)).
+      apply (cells_are_covered (p_pieces c) (q_pieces c) (dangling s) (isolated s) p_pieces_are_convex
+        q_pieces_are_convex (snd d) (fst d) _ (cells_are_checked _ _ _ _ _ checked d D)).
       now apply piece_is_around.
   Qed.
 
@@ -213,7 +216,8 @@ Section Checked.
       + unfold isolated in V. apply in_map_iff in V. destruct V as (w & <- & W). apply (not_isolated w W).
         destruct equal_ as [X Y], (homogeneous_is w) as [X' Y']. cbn [vx vy as_vector] in *. split; lra.
     - intros (a & b & in_p & in_q & x_is). pose proof (sums_are_of_pieces a b x in_p in_q x_is) as sum_.
-      assert (free : forall e, In e (hedges_of_region (open_chains s) ++ dangling s ++ map (fun v => (v, v)) (isolated s)) ->
+      assert (free : forall e,
+        In e (hedges_of_region (open_chains s) ++ dangling s ++ map (fun v => (v, v)) (isolated s)) ->
         ~ lies_on (as_vector x) (segment_of_hedge e)) by (intros e; now apply edges_are_on_no_sum).
       split; [| split].
       + apply inner_point_by_boundary.
@@ -237,14 +241,16 @@ End Checked.
 Lemma accepted_regions (p q : polygonal_region) (s : open_region) (c : certificate) : accepts_open p q s c = true ->
   are_a_region (hedges_of_region p) (summand_inserted (of_p c)) (map piece_of (summand_pieces (of_p c))) = true /\
   are_a_region (hedges_of_region q) (summand_inserted (of_q c)) (map piece_of (summand_pieces (of_q c))) = true /\
-  are_a_region (hedges_of_region (open_chains s)) (sum_inserted c) (map (fun d => piece_of (fst d)) (sum_pieces c)) = true.
+  are_a_region (hedges_of_region (open_chains s)) (sum_inserted c) (map (fun d => piece_of (fst d)) (sum_pieces c)) =
+    true.
 Proof.
   intros accepted. apply accepted_open_is_checked in accepted. repeat split;
     [exact (p_is_made_of_pieces _ _ _ _ _ accepted) | exact (q_is_made_of_pieces _ _ _ _ _ accepted) |
      exact (s_is_made_of_pieces _ _ _ _ _ accepted)].
 Qed.
 
-(* If the checker accepts P, Q, S and a certificate, S is the open Minkowski sum of P and Q, and their edges touch at most. *)
+(* If the checker accepts P, Q, S and a certificate, S is the open Minkowski sum of P and Q, and their edges touch at
+   most. *)
 Theorem accepted_open_sums_are_open_sums : accepts_only_open_sums accepts_open.
 Proof.
   intros p q s c accepted. apply accepted_open_is_checked in accepted.

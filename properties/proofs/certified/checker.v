@@ -508,14 +508,14 @@ Definition is_inner_sum (t u : piece) (x : hpoint) : bool :=
   end.
 
 (* In the sum of the insides of two pieces, on a dangling edge, or at an isolated point. *)
-Inductive place :=
+Inductive position :=
 | InSum (i j : positive)
 | OnEdge (k : positive)
 | AtPoint (k : positive).
 
 (* From one point to another: what is between the first two; and each point in between, where it is, and what is between
    it and the next. *)
-Record seam := Seam { beginning : place; later : list (hpoint * place * place) }.
+Record seam := Seam { beginning : position; later : list (hpoint * position * position) }.
 
 Section Seams.
   Variables (p q : numbered) (edges : PositiveMap.t hedge) (points : PositiveMap.t hpoint).
@@ -525,7 +525,7 @@ Section Seams.
 
   (* What is strictly between a and b, both on the line: if they are sums, and some sums are strictly to the left of the
      line and some to the right, what is between a and b is inside all these. *)
-  Definition is_interval_in (l : line) (a b : hpoint) (c : place) : bool :=
+  Definition is_interval_in (l : line) (a b : hpoint) (c : position) : bool :=
     match c with
     | InSum i j =>
       match PositiveMap.find i p, PositiveMap.find j q with
@@ -538,7 +538,7 @@ Section Seams.
     | AtPoint _ => false
     end.
 
-  Definition is_point_in (x : hpoint) (c : place) : bool :=
+  Definition is_point_in (x : hpoint) (c : position) : bool :=
     match c with
     | InSum i j =>
       match PositiveMap.find i p, PositiveMap.find j q with
@@ -549,7 +549,7 @@ Section Seams.
     | AtPoint k => match PositiveMap.find k points with Some v => is_between v x v | None => false end
     end.
 
-  Fixpoint is_seam (l : line) (a b : hpoint) (c : place) (others : list (hpoint * place * place)) : bool :=
+  Fixpoint is_seam (l : line) (a b : hpoint) (c : position) (others : list (hpoint * position * position)) : bool :=
     match others with
     | [] => is_interval_in l a b c
     | (x, of_x, next) :: rest =>
@@ -582,17 +582,20 @@ Fixpoint are_of_region (e : entry) (found : bool) (rest : list entry) : bool :=
   end.
 
 (* Each side of a piece is part of an edge or one of the diagonals. *)
-Definition have_all_sides (es : list hedge) (inserted : list (list hpoint)) (pieces : list piece) (diagonals : list hedge) : bool :=
+Definition have_all_sides (es : list hedge) (inserted : list (list hpoint)) (pieces : list piece)
+  (diagonals : list hedge) : bool :=
   let parts := flat_map (fun s => split_edge (fst (fst s)) (snd (fst s)) (snd s)) (with_inserted es inserted) in
   let entries :=
-    map (entry_of true) (parts ++ diagonals) ++ map (entry_of false) (flat_map (fun t => sides (corners_of t)) pieces) in
+    map (entry_of true) (parts ++ diagonals) ++
+    map (entry_of false) (flat_map (fun t => sides (corners_of t)) pieces) in
   match Sorted.sort entries with
   | [] => true
   | e :: rest => are_of_region e (of_region e) rest
   end.
 
 (* Ends of diagonals are vertices, and points that are put into edges. *)
-Definition diagonals_of (es : list hedge) (inserted : list (list hpoint)) (seams : list (positive * positive * seam)) : list (hedge * seam) :=
+Definition diagonals_of (es : list hedge) (inserted : list (list hpoint)) (seams : list (positive * positive * seam)) :
+  list (hedge * seam) :=
   let vertices := numbers_from 1 (map fst es ++ flat_map snd (with_inserted es inserted)) in
   flat_map (fun d =>
     match PositiveMap.find (fst (fst d)) vertices, PositiveMap.find (snd (fst d)) vertices with

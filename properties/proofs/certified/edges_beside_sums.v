@@ -122,7 +122,8 @@ Section Line.
     (forall a b, In a (corners_of t) -> In b (corners_of u) -> 0 <= value_at l (added (vector_of a) (vector_of b))) ->
     are_beside e t u.
   Proof.
-    intros left_. destruct (line_along_is e) as (some & first & second). exists (normal_of l). split; [exact some |]. intros a b A B.
+    intros left_. destruct (line_along_is e) as (some & first & second). exists (normal_of l).
+    split; [exact some |]. intros a b A B.
     specialize (left_ a b A B). rewrite value_at_is in left_.
     fold l in first, second. rewrite value_at_is in first, second. lra.
   Qed.

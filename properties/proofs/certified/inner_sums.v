@@ -57,7 +57,8 @@ Section Two.
       assert (0 <= (1 - k) * value_at l c) by (apply Qmult_le_0_compat; lra).
       assert (0 < k * value_at l (vector_of (inner r))) by (apply Qmult_lt_0_compat; lra). lra. }
     split; [now apply strict | split; [now apply strict |]].
-    unfold equal_vectors, point_between, inner_sum, added in *. cbn [vx vy] in *. rewrite x_x, x_y, y_x, y_y. split; ring.
+    unfold equal_vectors, point_between, inner_sum, added in *. cbn [vx vy] in *.
+    rewrite x_x, x_y, y_x, y_y. split; ring.
   Qed.
 
   (* If all small steps away from the middle end in the sum. *)

@@ -1,8 +1,8 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Where the checker (checker.v) accepts the cells of a polygon with the seams of its cuts, each point around which there
-   is some of the polygon on all sides is strictly inside the sum of two pieces, on a dangling edge, or isolated. For such
-   a point is strictly on one side of a cut, and has some of that side around it; or it is on the cut, between the points
-   where the polygon's sides cross it: then it is in an interval of the seam, or between two of them. *)
+(* Where the checker (checker.v) accepts the cells of a polygon with the seams of its cuts, each point around which
+   there is some of the polygon on all sides is strictly inside the sum of two pieces, on a dangling edge, or isolated.
+   For such a point is strictly on one side of a cut, and has some of that side around it; or it is on the cut, between
+   the points where the polygon's sides cross it: then it is in an interval of the seam, or between two of them. *)
 From Coq Require Import QArith Lqa Qfield ZArith Lia Bool List FMapPositive.
 From Oplus Require Import direction angular_crossings winding_number small_numbers neighbourhoods specification checker
   homogeneous_points specification_bridge fans sums_of_pieces clipped_polygons edges_beside_sums sums_are_inside
@@ -11,19 +11,19 @@ Import ListNotations.
 
 Open Scope Q_scope.
 
-Definition strictly_between (a b x : vector) : Prop :=
+Definition lies_strictly_between (a b x : vector) : Prop :=
   ~ equal_vectors a b /\ exists s, 0 < s < 1 /\ equal_vectors x (point_between a b s).
 
 (* Of what is between a and b, a third point on their line leaves what is before it, itself, and what is behind it. *)
 Lemma between_in_two_steps (l : line) (a b w x : vector) : nonzero (normal_of l) ->
-  value_at l a == 0 -> value_at l b == 0 -> value_at l w == 0 -> strictly_between a b x ->
-  strictly_between a w x \/ equal_vectors x w \/ strictly_between w b x.
+  value_at l a == 0 -> value_at l b == 0 -> value_at l w == 0 -> lies_strictly_between a b x ->
+  lies_strictly_between a w x \/ equal_vectors x w \/ lies_strictly_between w b x.
 Proof.
   intros some a_on b_on w_on (apart & s & range & x_x & x_y). rewrite value_at_is in a_on, b_on, w_on.
   destruct (along_one_line (normal_of l) (Vector (vx b - vx a) (vy b - vy a)) (Vector (vx w - vx a) (vy w - vy a)))
     as (k & k_x & k_y); [exact some | | unfold dot in *; cbn [vx vy]; lra .. |].
   { unfold nonzero. cbn [vx vy]. intros [x_is y_is]. apply apart. split; lra. }
-  cbn [vx vy] in *. unfold strictly_between, equal_vectors, point_between in *. cbn [vx vy] in *.
+  cbn [vx vy] in *. unfold lies_strictly_between, equal_vectors, point_between in *. cbn [vx vy] in *.
   assert (w_x : vx w == vx a + k * (vx b - vx a)) by lra. assert (w_y : vy w == vy a + k * (vy b - vy a)) by lra.
   assert (scaled : forall h d, ~ h == 0 -> h * d == 0 -> d == 0)
     by (intros h d other none; apply Qmult_integral in none; tauto).
@@ -66,11 +66,11 @@ Section Seams.
   (* An inner sum of two of the pieces. *)
   Definition is_inner_sum_of_some (x : vector) : Prop := exists t u, In t p /\ In u q /\ is_inner_sum_of t u x.
 
-  Definition is_covered (x : vector) : Prop :=
+  Definition is_sum_or_left_out (x : vector) : Prop :=
     is_inner_sum_of_some x \/ (exists e, In e dangling /\ lies_on x (segment_of_hedge e)) \/
     exists v, In v isolated /\ equal_vectors x (vector_of v).
 
-  Lemma covered_if_equal (x y : vector) : equal_vectors x y -> is_covered y -> is_covered x.
+  Lemma covered_if_equal (x y : vector) : equal_vectors x y -> is_sum_or_left_out y -> is_sum_or_left_out x.
   Proof.
     intros [x_is y_is] [(t & u & T & U & a & b & A & B & y_x & y_y) | [(e & E & k & range & X & Y) | (v & V & X & Y)]].
     - left. exists t, u. split; [exact T | split; [exact U |]]. exists a, b. split; [exact A | split; [exact B |]].
@@ -79,10 +79,10 @@ Section Seams.
     - right. right. exists v. split; [exact V | split; lra].
   Qed.
 
-  Lemma interval_is_covered (l : line) (a b : hpoint) (c : place) (x : vector) :
+  Lemma interval_is_covered (l : line) (a b : hpoint) (c : position) (x : vector) :
     is_interval_in p_numbers q_numbers edges_ l a b c = true ->
-    value_at l (vector_of a) == 0 -> value_at l (vector_of b) == 0 -> strictly_between (vector_of a) (vector_of b) x ->
-    is_covered x.
+    value_at l (vector_of a) == 0 -> value_at l (vector_of b) == 0 -> lies_strictly_between (vector_of a) (vector_of b) x ->
+    is_sum_or_left_out x.
   Proof.
     intros found a_on b_on (apart & s & range & x_is). destruct c as [i j | k | k]; cbn [is_interval_in] in found.
     - destruct (PositiveMap.find i p_numbers) as [t |] eqn:t_is; [| discriminate].
@@ -106,8 +106,8 @@ Section Seams.
     - discriminate.
   Qed.
 
-  Lemma point_is_covered (x : hpoint) (c : place) :
-    is_point_in p_numbers q_numbers edges_ points_ x c = true -> is_covered (vector_of x).
+  Lemma point_is_covered (x : hpoint) (c : position) :
+    is_point_in p_numbers q_numbers edges_ points_ x c = true -> is_sum_or_left_out (vector_of x).
   Proof.
     destruct c as [i j | k | k]; cbn [is_point_in].
     - destruct (PositiveMap.find i p_numbers) as [t |] eqn:t_is; [| discriminate].
@@ -122,10 +122,10 @@ Section Seams.
       apply is_between_lies_on in on. destruct on as (s & _ & x_is & y_is). cbn [source target] in *. split; lra.
   Qed.
 
-  Lemma seam_is_covered (l : line) (others : list (hpoint * place * place)) : nonzero (normal_of l) ->
-    forall (a b : hpoint) (c : place) (x : vector), is_seam p_numbers q_numbers edges_ points_ l a b c others = true ->
-    value_at l (vector_of a) == 0 -> value_at l (vector_of b) == 0 -> strictly_between (vector_of a) (vector_of b) x ->
-    is_covered x.
+  Lemma seam_is_covered (l : line) (others : list (hpoint * position * position)) : nonzero (normal_of l) ->
+    forall (a b : hpoint) (c : position) (x : vector), is_seam p_numbers q_numbers edges_ points_ l a b c others = true ->
+    value_at l (vector_of a) == 0 -> value_at l (vector_of b) == 0 -> lies_strictly_between (vector_of a) (vector_of b) x ->
+    is_sum_or_left_out x.
   Proof.
     intros some. induction others as [| [[w of_w] next] rest IH]; intros a b c x; cbn [is_seam].
     - apply interval_is_covered.
@@ -140,7 +140,7 @@ Section Seams.
   Lemma cut_is_covered (l : line) (v : polygon) (s : option seam) (x : vector) :
     is_seam_of_cut p_numbers q_numbers edges_ points_ l v s = true -> value_at l x == 0 ->
     (forall w, dot (normal_of l) w == 0 -> eventually (fun e => inside_piece (piece_of v) (moved_along x w e))) ->
-    is_covered x.
+    is_sum_or_left_out x.
   Proof.
     unfold is_seam_of_cut. destruct s as [s |]; [| discriminate].
     destruct (find (fun e => (0 <? value l (fst e))%Z && (value l (snd e) =? 0)%Z) (sides v)) as [e |] eqn:e_is;
@@ -182,7 +182,7 @@ Section Seams.
   (* Theorem. Cells and the seams of their cuts cover what has some of the polygon around it. *)
   Theorem cells_are_covered (c : cells) : forall (v : polygon) (x : vector),
     are_sums (is_seam_of_cut p_numbers q_numbers edges_ points_) p_numbers q_numbers v c = true ->
-    (forall w, eventually (fun e => inside_piece (piece_of v) (moved_along x w e))) -> is_covered x.
+    (forall w, eventually (fun e => inside_piece (piece_of v) (moved_along x w e))) -> is_sum_or_left_out x.
   Proof.
     induction c as [i j | l along one IH_one other IH_other]; intros v x; cbn [are_sums].
     - destruct (PositiveMap.find i p_numbers) as [t |] eqn:t_is; [| easy].

@@ -22,7 +22,10 @@ Proof. now destruct test. Qed.
 Lemma none_failed {A} (test : A -> bool) (l : list A) (r : N -> refusal) (rest : option refusal) :
   match first_failure test 0 l with Some n => Some (r n) | None => rest end = None ->
   (forall a, In a l -> test a = true) /\ rest = None.
-Proof. destruct (first_failure test 0 l) eqn:none; [discriminate |]. split; [exact (no_failure test l _ none) | assumption]. Qed.
+Proof.
+  destruct (first_failure test 0 l) eqn:none; [discriminate |].
+  split; [exact (no_failure test l _ none) | assumption].
+Qed.
 
 Section Checked.
   Variables (is_open : bool) (p q : polygonal_region) (s : open_region) (c : certificate).
@@ -34,7 +37,8 @@ Section Checked.
   Definition q_numbered : numbered := numbers_from 1 q_pieces.
   Definition dangling : list hedge := map hedge_of (dangling_edges s).
   Definition isolated : list hpoint := map homogeneous (isolated_points s).
-  Definition diagonals : list (hedge * seam) := diagonals_of (hedges_of_region (open_chains s)) (sum_inserted c) (seams c).
+  Definition diagonals : list (hedge * seam) :=
+    diagonals_of (hedges_of_region (open_chains s)) (sum_inserted c) (seams c).
 
   Record is_checked : Prop := {
     p_is_made_of_pieces : are_a_region (hedges_of_region p) (summand_inserted (of_p c)) p_pieces = true;
@@ -96,8 +100,8 @@ End Checked.
 
 Lemma accepted_is_checked (p q s : polygonal_region) (c : certificate) : accepts p q s c = true ->
   is_checked false p q (OpenRegion s [] []) c.
-Proof. unfold accepts. destruct (check _ _ _ _ _) eqn:none; [discriminate |]. intros _. exact (check_means _ _ _ _ _ none). Qed.
+Proof. unfold accepts. destruct (check _ _ _ _ _) eqn:none; [discriminate | intros _; now apply check_means]. Qed.
 
 Lemma accepted_open_is_checked (p q : polygonal_region) (s : open_region) (c : certificate) :
   accepts_open p q s c = true -> is_checked true p q s c.
-Proof. unfold accepts_open. destruct (check _ _ _ _ _) eqn:none; [discriminate |]. intros _. exact (check_means _ _ _ _ _ none). Qed.
+Proof. unfold accepts_open. destruct (check _ _ _ _ _) eqn:none; [discriminate | intros _; now apply check_means]. Qed.
