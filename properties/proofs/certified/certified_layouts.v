@@ -1,12 +1,13 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* The theorem: what the checker of layouts (layout_checker.v) accepts is a layout, as specification.v says. Near each
    point of a region are points of it that are in no other one, since their pieces are apart (pieces_apart.v). So no
-   point is an inner point of two parts; and no point of a part is off the container, with points outside all around. *)
+   point is an inner point of two parts; and no point of a part is off the container, with points outside all
+   around. *)
 From Coq Require Import NArith QArith Lqa ZArith Lia Bool List.
 From Oplus Require Import regions specification checker direction angular_crossings winding_number signed_crossings
-  neighbourhoods homogeneous_points specification_bridge fans pieces_cover sums_are_inside inner_sums sum_program sum_is_right
-  coordinates turned_chains inner_fit_program complement_in_a_frame open_sums inner_fit_is_right layout_checker
-  pieces_apart.
+  neighbourhoods homogeneous_points specification_bridge fans pieces_cover sums_are_inside what_is_checked inner_sums
+  sum_program sum_is_right coordinates turned_chains inner_fit_program complement_in_a_frame open_sums
+  inner_fit_is_right layout_checker pieces_apart.
 Import ListNotations.
 
 Open Scope Q_scope.

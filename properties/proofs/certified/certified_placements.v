@@ -1,13 +1,13 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* The theorems: what the checkers of placement_checkers.v accept are no-fits and inner fits, as specification.v says. They
-   follow from the theorem about open sums (certified_open_sums.v). Of an inner fit the pieces of the outside and of the
-   sum are apart, so winding numbers are 0 and 1 (pieces_go_round_once.v), and near each point of b are inner points of it:
-   what the theorem of inner_fit_is_right.v asks for. *)
+(* The theorems: what the checkers of placement_checkers.v accept are no-fits and inner fits, as specification.v says.
+   They follow from the theorem about open sums (certified_open_sums.v). Of an inner fit the pieces of the outside and
+   of the sum are apart, so winding numbers are 0 and 1 (pieces_go_round_once.v), and near each point of b are inner
+   points of it: what the theorem of inner_fit_is_right.v asks for. *)
 From Coq Require Import QArith Lqa ZArith Lia Bool List.
-From Oplus Require Import regions_and_sums reflected specification checker signed_crossings neighbourhoods homogeneous_points
-  specification_bridge pieces_cover sums_are_inside placed_collision sum_program sum_is_right coordinates turned_chains
-  inner_fit_program complement_in_a_frame open_sums inner_fit_is_right layout_checker pieces_apart certified_layouts
-  pieces_go_round_once certified_open_sums placement_checkers.
+From Oplus Require Import regions_and_sums reflected specification checker signed_crossings neighbourhoods
+  homogeneous_points specification_bridge pieces_cover sums_are_inside placed_collision sum_program sum_is_right
+  coordinates turned_chains inner_fit_program complement_in_a_frame open_sums inner_fit_is_right layout_checker
+  pieces_apart certified_layouts pieces_go_round_once certified_open_sums placement_checkers.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -24,7 +24,8 @@ Proof. destruct c as [| v rest]; [reflexivity |]. cbn. now rewrite rev_involutiv
 Lemma turned_images {A B : Type} (h : A -> B) (c : list A) : map h (turned_chain c) = turned_chain (map h c).
 Proof. destruct c as [| v rest]; [reflexivity |]. cbn. now rewrite map_rev. Qed.
 
-Lemma all_are_kept {A : Type} (test : A -> bool) (l : list A) : forallb (fun is_in => is_in) (map test l) = true -> filter test l = l.
+Lemma all_are_kept {A : Type} (test : A -> bool) (l : list A) :
+  forallb (fun is_in => is_in) (map test l) = true -> filter test l = l.
 Proof. induction l as [| a l IH]; [reflexivity |]. cbn. intros [-> rest]%andb_true_iff. now rewrite IH. Qed.
 
 Lemma none_is_kept {A : Type} (test : A -> bool) (l : list A) : forallb negb (map test l) = true -> filter test l = [].
@@ -37,7 +38,8 @@ Lemma placements_in_the_square (k : Q) (outer : open_region) (f : placements) :
     Placements (map (map as_point) (as_region (fit_chains f))) (fit_edges f) (fit_points f).
 Proof.
   unfold start_in, placements_in, open_sum_around_placements. rewrite !forallb_app, !andb_true_iff.
-  cbn [open_chains dangling_edges isolated_points]. intros (in_chains & in_edges & in_points) (chains_ & edges_ & points_).
+  cbn [open_chains dangling_edges isolated_points].
+  intros (in_chains & in_edges & in_points) (chains_ & edges_ & points_).
   rewrite !filter_app.
   f_equal; [| exact (f_equal2 (@app edge) (none_is_kept _ _ edges_) (all_are_kept _ _ in_edges)) |
     exact (f_equal2 (@app point) (none_is_kept _ _ points_) (all_are_kept _ _ in_points))]. f_equal.

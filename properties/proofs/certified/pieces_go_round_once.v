@@ -1,10 +1,10 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* A region whose pieces are apart (pieces_apart.v) has the winding numbers 0 and 1, and near each of its points are inner
-   points of it. The winding number is the sum of those of the fan triangles of all pieces (pieces_cover.v). A point on
-   none of some lines is in at most one triangle of a fan, since beyond a triangle all later ones are on the other side;
-   and it is in at most one piece. *)
+(* A region whose pieces are apart (pieces_apart.v) has the winding numbers 0 and 1, and near each of its points are
+   inner points of it. The winding number is the sum of those of the fan triangles of all pieces (pieces_cover.v). A
+   point on none of some lines is in at most one triangle of a fan, since beyond a triangle all later ones are on the
+   other side; and it is in at most one piece. *)
 From Coq Require Import QArith Lqa ZArith Lia Bool List.
-From Oplus Require Import regions specification checker direction rotation angular_crossings winding_number 
+From Oplus Require Import regions specification checker direction rotation angular_crossings winding_number
   small_numbers signed_crossings neighbourhoods edges_of_valid_regions homogeneous_points specification_bridge fans
   winding_numbers_of_triangles pieces_cover edges_beside_sums sums_are_inside inner_sums certified_open_sums
   layout_checker pieces_apart.
@@ -16,8 +16,8 @@ Lemma off_lines_near (lines : list line) (x : vector) (radius : Q) : (forall l, 
   0 < radius -> exists y, within radius x y /\ is_off_lines lines y.
 Proof.
   intros proper R. destruct (some_direction_is_across lines proper) as (v & across).
-  destruct (some_small _ (eventually_and _ _ (small_steps_stay_within radius x v R) (steps_leave_lines lines x v across)))
-    as (e & _ & close & free). now exists (moved_along x v e).
+  destruct (some_small _ (eventually_and _ _ (small_steps_stay_within radius x v R)
+    (steps_leave_lines lines x v across))) as (e & _ & close & free). now exists (moved_along x v e).
 Qed.
 
 (** One piece *)
@@ -30,7 +30,8 @@ Lemma fan_goes_round_once (o b : hpoint) (y : vector) : 0 < turn_of (vector_of o
   (forall d, In d (c :: rest) -> 0 <= turn_of (vector_of o) (vector_of b) (vector_of d)) ->
   (forall d, In d (c :: rest) -> ~ turn_of (vector_of o) (vector_of d) y == 0) ->
   (sum (map (number_in_triangle y) (fan_triangles_of o (c :: rest))) <= 1)%Z /\
-  (turn_of (vector_of o) (vector_of c) y < 0 -> sum (map (number_in_triangle y) (fan_triangles_of o (c :: rest))) = 0%Z).
+  (turn_of (vector_of o) (vector_of c) y < 0 ->
+    sum (map (number_in_triangle y) (fan_triangles_of o (c :: rest))) = 0%Z).
 Proof.
   intros beyond. induction rest as [| d rest IH]; intros c fan left_ free; [cbn; lia |].
   cbn [fan_turns_left] in fan. apply andb_true_iff in fan. destruct fan as [turn_%Z.ltb_lt fan].
@@ -126,7 +127,8 @@ Proof.
   assert (rest : (sum (map f l) <= 1)%Z) by (apply IH; intros b B; apply range; now right).
   pose proof (range a (or_introl eq_refl)). destruct (Z.eq_dec (f a) 0) as [-> | some]; [exact rest |].
   assert (none : sum (map f l) = 0%Z); [| lia]. rewrite Forall_forall in first_. clear - first_ some.
-  induction l as [| b l IH]; [reflexivity |]. cbn [map]. rewrite sum_of_cons, IH by (intros c C; apply first_; now right).
+  induction l as [| b l IH]; [reflexivity |]. cbn [map].
+  rewrite sum_of_cons, IH by (intros c C; apply first_; now right).
   destruct (first_ b (or_introl eq_refl)); [contradiction | lia].
 Qed.
 
@@ -165,7 +167,8 @@ Section Region.
     exists z, within radius (as_vector x) (as_vector z) /\ is_inner_point z r.
   Proof.
     intros in_r R. destruct (region_is_in_pieces _ _ _ accepted x in_r) as (t & T & in_t).
-    destruct (strictly_in_near t (as_vector x) ((1 # 2) * radius) (all_pieces t T) in_t) as (y & close & strict); [lra |].
+    destruct (strictly_in_near t (as_vector x) ((1 # 2) * radius) (all_pieces t T) in_t) as (y & close & strict);
+      [lra |].
     destruct (some_direction_is_across (flat_map side_lines pieces)) as (v & across).
     { intros l (u & U & L)%in_flat_map. destruct (all_pieces u U). now apply (side_line_has_a_normal u). }
     destruct (some_small _ (eventually_and _ _ (small_steps_stay_within ((1 # 2) * radius) y v ltac:(lra))
@@ -174,7 +177,8 @@ Section Region.
     exists (as_point (moved_along y v e)). rewrite inner_point_by_boundary, as_vector_of_point.
     split; [unfold within in *; lra |].
     assert (free : off (moved_along y v e) (boundary r)).
-    { apply (off_boundary_if_off_lines r inserted polygons (flat_map side_lines pieces)); [exact accepted | | exact off_lines].
+    { apply (off_boundary_if_off_lines r inserted polygons (flat_map side_lines pieces));
+        [exact accepted | | exact off_lines].
       intros u l U L. apply in_flat_map. now exists u. }
     split; [| exact free].
     assert (there : member (as_point (moved_along y v e)) r).

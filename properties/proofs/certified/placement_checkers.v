@@ -1,8 +1,8 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* The checkers of no-fits and inner fits (docs/certificates.md), as programs: where b, moved, overlaps a, and where it is
-   inside a. Both ask the checker of open sums (checker.v) about -b, the first one with a, the second one with what is
-   outside a in a square frame, and with a set of which the placements are left out. That they accept nothing but no-fits
-   and inner fits is proved in certified_placements.v. *)
+(* The checkers of no-fits and inner fits (docs/certificates.md), as programs: where b, moved, overlaps a, and where
+   it is inside a. Both ask the checker of open sums (checker.v) about -b, the first one with a, the second one with
+   what is outside a in a square frame, and with a set of which the placements are left out. That they accept nothing
+   but no-fits and inner fits is proved in certified_placements.v. *)
 From Coq Require Import QArith Bool List.
 From Oplus Require Import specification specification_bridge checker sum_program turned_chains inner_fit_program
   layout_checker.
@@ -29,7 +29,8 @@ Definition open_sum_around_placements (outer : open_region) (f : placements) : o
 
 (* Of each chain, edge and point, whether it starts in the square. *)
 Definition start_in (k : Q) (s : open_region) : list bool :=
-  map (starts_in k) (as_region (open_chains s)) ++ map (fun e : edge => is_in_square k (as_vector (fst e))) (dangling_edges s) ++
+  map (starts_in k) (as_region (open_chains s)) ++
+  map (fun e : edge => is_in_square k (as_vector (fst e))) (dangling_edges s) ++
   map (fun v => is_in_square k (as_vector v)) (isolated_points s).
 
 Inductive inner_fit_refusal :=

@@ -285,7 +285,8 @@ Theorem printed_regions_are_read (may_be_unbounded : bool) (polygons : list (cha
   Forall is_printable_polygon polygons ->
   region_in may_be_unbounded (printed_polygons polygons) = inl (false, flat_map chains_in polygons).
 Proof.
-  intros printable. destruct polygons as [| p polygons] eqn:these; [now destruct may_be_unbounded |]. rewrite <- these in *.
+  intros printable. destruct polygons as [| p polygons] eqn:these; [now destruct may_be_unbounded |].
+  rewrite <- these in *.
   unfold region_in, printed_polygons. rewrite fold_left_app.
   change (start may_be_unbounded) with (taken_to 1 (Start may_be_unbounded) (SoFar [] [] false nothing_beside)).
   rewrite regions_are_taken; [| now rewrite these | exact printable | reflexivity | reflexivity].

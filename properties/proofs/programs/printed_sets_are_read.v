@@ -1,8 +1,10 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* What is printed of a set with edges and points of its own (region_printer.v) is read (region_reader.v) as itself, under
-   the conditions of printed_regions_are_read.v. Each item of the collection adds what it is to what was read before. *)
+(* What is printed of a set with edges and points of its own (region_printer.v) is read (region_reader.v) as itself,
+   under the conditions of printed_regions_are_read.v. Each item of the collection adds what it is to what was read
+   before. *)
 From Coq Require Import QArith ZArith Lia Bool String List.
-From Oplus Require Import specification region_reader region_printer printed_numbers_are_read printed_regions_are_read.
+From Oplus Require Import specification region_reader region_printer printed_numbers_are_read
+  printed_regions_are_read.
 Import ListNotations.
 
 Open Scope Z_scope.
@@ -42,14 +44,15 @@ Definition with_point (v : point) (r : so_far) : so_far :=
   let o := beside r in
   SoFar (chains r) [] false (Beside (is_unbounded o) (in_collection o) (edges_so_far o) (v :: points_so_far o)).
 
-Lemma regions_are_items (polygons : list (chain * list chain)) : polygons <> [] -> Forall is_printable_polygon polygons ->
-  is_item (printed_region polygons) (with_region polygons).
+Lemma regions_are_items (polygons : list (chain * list chain)) :
+  polygons <> [] -> Forall is_printable_polygon polygons -> is_item (printed_region polygons) (with_region polygons).
 Proof. intros some printable line r ready. now rewrite regions_are_taken. Qed.
 
 Lemma points_in_a_list (line : Z) (all : lists) (v : point) (others : list point) (r : so_far) :
   all = Points \/ all = Vertices -> Forall is_printable_point (v :: others) ->
   fold_left take_byte (printed_list printed_point (v :: others)) (taken_to line (Contents all) r) =
-    go_on (reading_at line (Next all Points) (SoFar (chains r) (rev others ++ v :: ring_so_far r) (is_hole r) (beside r)))
+    go_on (reading_at line (Next all Points)
+      (SoFar (chains r) (rev others ++ v :: ring_so_far r) (is_hole r) (beside r)))
       [closing_sign].
 Proof.
   intros which printable. unfold printed_list. cbn [fold_left]. rewrite symbols_are_taken by reflexivity.
@@ -109,7 +112,8 @@ Theorem printed_sets_are_read (polygons : list (chain * list chain)) (edges : li
   set_in (printed_set polygons edges points) = inl (OpenRegion (flat_map chains_in polygons) edges points).
 Proof.
   intros of_region of_edges of_points.
-  assert (items : Forall (fun i => is_item (fst i) (snd i)) (region_items polygons ++ edge_items edges ++ point_items points)).
+  assert (items : Forall (fun i => is_item (fst i) (snd i))
+    (region_items polygons ++ edge_items edges ++ point_items points)).
   { apply Forall_app. split; [| apply Forall_app; split].
     - destruct polygons as [| p polygons] eqn:these; constructor; [| constructor]. rewrite <- these in *.
       apply regions_are_items; [now rewrite these | exact of_region].
@@ -128,5 +132,20 @@ Proof.
       - unfold printed_list. cbn [map app]. now rewrite map_id, <- !app_assoc.
       - rewrite <- these, !map_app. unfold edge_items, point_items. rewrite !map_map. cbn [fst].
         destruct edges, points, polygons; try reflexivity; tauto. }
-    admit.
-Admitted.
+    assert (empty_or_not : (edges = [] /\ points = []) \/ edges <> [] \/ points <> [])
+      by (destruct edges, points; intuition discriminate).
+    destruct empty_or_not as [[-> ->] | some].
+    + assert (polygons <> []) by now intros ->. unfold printed_set, set_in, printed_polygons. rewrite fold_left_app.
+      change start_of_set with (taken_to 1 StartOfSet (SoFar [] [] false nothing_beside)).
+      rewrite regions_are_taken by trivial. cbn [chains beside]. rewrite app_nil_r.
+      rewrite <- (rev_involutive (flat_map chains_in _)) at 2. now rewrite <- (reversed_as_rev (rev _)).
+    + rewrite (text_is some), app_assoc. unfold set_in. rewrite fold_left_app.
+      change (fold_left take_byte (bytes "GEOMETRYCOLLECTION " ++ [opening_sign]) start_of_set)
+        with (taken_to 1 Item (SoFar [] [] false (Beside false true [] []))).
+      rewrite fold_left_app, lists_of_items_are_taken; [| exact items | now split].
+      set (s := add_all _ _) in *.
+      change (at_end_of_set _) with (inl failure (OpenRegion (rev' (chains s)) (rev' (edges_so_far (beside s)))
+        (rev' (points_so_far (beside s))))).
+      rewrite of_chains, edges_, points_, !reversed_as_rev. cbn [chains beside edges_so_far points_so_far].
+      now rewrite !app_nil_r, !rev_involutive.
+Qed.
