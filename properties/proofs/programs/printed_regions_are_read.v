@@ -273,9 +273,12 @@ Lemma regions_are_taken (line : Z) (p : stage) (r : so_far) (polygons : list (ch
 Proof.
   intros some printable single several. unfold printed_region.
   destruct polygons as [| polygon [| q polygons]]; [easy | |]; rewrite fold_left_app.
-  - inversion_clear printable as [| ? ? printable_p _]. rewrite single, (polygons_are_taken line Rings)
-      by (trivial; now right || easy). cbn [after_list flat_map]. now rewrite app_nil_r.
-  - rewrite several. unfold printed_list. cbn [fold_left]. rewrite symbols_are_taken by reflexivity.
+  - inversion_clear printable as [| ? ? printable_p _].
+    etransitivity; [exact (f_equal (fold_left take_byte (printed_polygon polygon)) single) |]. clear single several.
+    rewrite (polygons_are_taken line Rings (Contents Rings) polygon r); [| now right | now right | exact printable_p].
+    cbn [after_list flat_map]. now rewrite app_nil_r.
+  - etransitivity; [exact (f_equal (fold_left take_byte (printed_list printed_polygon (polygon :: q :: polygons))) several) |].
+    clear single several. unfold printed_list. cbn [fold_left]. rewrite symbols_are_taken by reflexivity.
     change (go_on _ [opening_sign]) with (taken_to line (Opening Polygons Rings) r).
     now rewrite lists_of_polygons_are_taken by trivial.
 Qed.
@@ -285,11 +288,13 @@ Theorem printed_regions_are_read (may_be_unbounded : bool) (polygons : list (cha
   Forall is_printable_polygon polygons ->
   region_in may_be_unbounded (printed_polygons polygons) = inl (false, flat_map chains_in polygons).
 Proof.
-  intros printable. destruct polygons as [| p polygons] eqn:these; [now destruct may_be_unbounded |].
+  intros printable. destruct polygons as [| p rest] eqn:these; [now destruct may_be_unbounded |].
   rewrite <- these in *.
   unfold region_in, printed_polygons. rewrite fold_left_app.
   change (start may_be_unbounded) with (taken_to 1 (Start may_be_unbounded) (SoFar [] [] false nothing_beside)).
-  rewrite regions_are_taken; [| now rewrite these | exact printable | reflexivity | reflexivity].
-  cbn [chains beside]. rewrite app_nil_r. rewrite <- (rev_involutive (flat_map chains_in _)) at 2.
-  now rewrite <- reversed_as_rev.
+  rewrite (regions_are_taken 1 (Start may_be_unbounded)); [| now rewrite these | exact printable | reflexivity ..].
+  assert (complete : forall cs, at_end (fold_left take_byte [new_line]
+    (taken_to 1 Complete (SoFar cs [] true nothing_beside))) = inl (false, rev cs))
+    by (intros cs; now rewrite <- reversed_as_rev).
+  cbn [chains beside]. now rewrite app_nil_r, complete, rev_involutive.
 Qed.

@@ -46,7 +46,10 @@ Definition with_point (v : point) (r : so_far) : so_far :=
 
 Lemma regions_are_items (polygons : list (chain * list chain)) :
   polygons <> [] -> Forall is_printable_polygon polygons -> is_item (printed_region polygons) (with_region polygons).
-Proof. intros some printable line r ready. now rewrite regions_are_taken. Qed.
+Proof.
+  intros some printable line r [inside _].
+  split; [apply regions_are_taken; trivial; reflexivity | now split].
+Qed.
 
 Lemma points_in_a_list (line : Z) (all : lists) (v : point) (others : list point) (r : so_far) :
   all = Points \/ all = Vertices -> Forall is_printable_point (v :: others) ->
@@ -65,7 +68,7 @@ Lemma edges_are_items (e : edge) : is_printable_point (fst e) -> is_printable_po
 Proof.
   intros one other line r [inside none]. rewrite fold_left_app.
   change (fold_left take_byte (bytes "LINESTRING ") (taken_to line Item r)) with (taken_to line (Contents Points) r).
-  rewrite points_in_a_list by (tauto || repeat constructor; assumption). rewrite none. now destruct e.
+  rewrite points_in_a_list; [| now left | repeat (constructor; trivial)]. rewrite none. now destruct e.
 Qed.
 
 Lemma points_are_items (v : point) : is_printable_point v ->
@@ -73,7 +76,7 @@ Lemma points_are_items (v : point) : is_printable_point v ->
 Proof.
   intros printable line r [inside none]. rewrite fold_left_app.
   change (fold_left take_byte (bytes "POINT ") (taken_to line Item r)) with (taken_to line (Contents Vertices) r).
-  rewrite points_in_a_list by (tauto || repeat constructor; assumption). now rewrite none.
+  rewrite points_in_a_list; [| now right | repeat (constructor; trivial)]. now rewrite none.
 Qed.
 
 Definition edge_items (edges : list edge) : list (text * (so_far -> so_far)) :=
@@ -95,13 +98,12 @@ Proof.
   assert (of_region : chains first = rev (flat_map chains_in polygons) ++ chains r /\ beside first = beside r)
     by (unfold first; destruct polygons; now split).
   destruct of_region as [<- <-]. clearbody first. clear r. unfold edge_items, point_items.
-  revert first. induction edges as [| e edges IH]; cbn [map fold_left]; intros r.
-  - revert r. induction points as [| v points IH]; cbn [map fold_left]; intros r; [now split |].
-    destruct (IH (snd (bytes "POINT " ++ printed_list printed_point [v], with_point v) r)) as (-> & -> & ->).
-    cbn [snd with_point chains beside edges_so_far points_so_far rev app]. now rewrite <- app_assoc.
-  - destruct (IH (snd (bytes "LINESTRING " ++ printed_list printed_point [fst e; snd e], with_edge e) r))
-      as (-> & -> & ->).
-    cbn [snd with_edge chains beside edges_so_far points_so_far rev app]. now rewrite <- app_assoc.
+  revert first. induction edges as [| e edges IH]; cbn [map fold_left snd]; intros r.
+  - revert r. induction points as [| v points IH]; cbn [map fold_left snd]; intros r; [now split |].
+    destruct (IH (with_point v r)) as (of_chains & of_edges & of_points). rewrite of_chains, of_edges, of_points.
+    cbn [with_point chains beside edges_so_far points_so_far rev app]. now rewrite <- app_assoc.
+  - destruct (IH (with_edge e r)) as (of_chains & of_edges & of_points). rewrite of_chains, of_edges, of_points.
+    cbn [with_edge chains beside edges_so_far points_so_far rev app]. now rewrite <- app_assoc.
 Qed.
 
 Definition is_printable_edge (e : edge) : Prop := is_printable_point (fst e) /\ is_printable_point (snd e).
@@ -115,7 +117,7 @@ Proof.
   assert (items : Forall (fun i => is_item (fst i) (snd i))
     (region_items polygons ++ edge_items edges ++ point_items points)).
   { apply Forall_app. split; [| apply Forall_app; split].
-    - destruct polygons as [| p polygons] eqn:these; constructor; [| constructor]. rewrite <- these in *.
+    - destruct polygons as [| p rest] eqn:these; constructor; [| constructor]. rewrite <- these in *.
       apply regions_are_items; [now rewrite these | exact of_region].
     - apply Forall_map. refine (Forall_impl _ _ of_edges). intros e [one other]. now apply edges_are_items.
     - apply Forall_map. refine (Forall_impl _ _ of_points). intros v. apply points_are_items. }
@@ -137,8 +139,11 @@ Proof.
     destruct empty_or_not as [[-> ->] | some].
     + assert (polygons <> []) by now intros ->. unfold printed_set, set_in, printed_polygons. rewrite fold_left_app.
       change start_of_set with (taken_to 1 StartOfSet (SoFar [] [] false nothing_beside)).
-      rewrite regions_are_taken by trivial. cbn [chains beside]. rewrite app_nil_r.
-      rewrite <- (rev_involutive (flat_map chains_in _)) at 2. now rewrite <- (reversed_as_rev (rev _)).
+      rewrite (regions_are_taken 1 StartOfSet); [| assumption | assumption | reflexivity ..].
+      assert (complete : forall cs, at_end_of_set (fold_left take_byte [new_line]
+        (taken_to 1 Complete (SoFar cs [] true nothing_beside))) = inl (OpenRegion (rev cs) [] []))
+        by (intros cs; now rewrite <- reversed_as_rev).
+      cbn [chains beside]. now rewrite app_nil_r, complete, rev_involutive.
     + rewrite (text_is some), app_assoc. unfold set_in. rewrite fold_left_app.
       change (fold_left take_byte (bytes "GEOMETRYCOLLECTION " ++ [opening_sign]) start_of_set)
         with (taken_to 1 Item (SoFar [] [] false (Beside false true [] []))).
