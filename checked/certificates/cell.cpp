@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "checked/certificates/cell.hpp"
 
+#include <algorithm>
+
 #include "reference/definitions/region.hpp"
 
 namespace oplus::certificates {
@@ -33,6 +35,10 @@ HalvedCell halved(const Cell& cell, const Sides& sides, const IntegerLine& line,
       }
     }
   }
+  const auto& lines = result.positive.lines;
+  const auto start = static_cast<std::size_t>(std::ranges::find(lines, cut) - lines.begin());
+  result.from = result.positive.corners[start];
+  result.to = result.positive.corners[next(start, lines.size())];
   return result;
 }
 

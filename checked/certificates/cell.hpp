@@ -13,6 +13,7 @@ namespace oplus::certificates {
 using pieces::Place;
 using pieces::ShiftedDoubles;
 
+/// Where two lines meet, exactly and in doubles.
 struct CellCorner {
   CellCorner(HomogeneousPoint point, const ShiftedDoubles& doubles)
       : exact(std::move(point)),
@@ -36,6 +37,8 @@ using Sides = std::vector<int>;
 struct HalvedCell {
   Cell positive;
   Cell negative;
+  /// Where the line enters the cell and leaves it, with the positive part on its left.
+  std::shared_ptr<const CellCorner> from, to;
 };
 
 /// Requires: there are corners on both sides.

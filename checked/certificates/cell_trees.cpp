@@ -7,7 +7,6 @@
 
 #include "reference/definitions/mutant.hpp"
 #include "reference/definitions/region.hpp"
-#include "reference/io/writing.hpp"
 
 namespace oplus::certificates {
 
@@ -15,10 +14,7 @@ namespace {
 
 Point exact_centre(const Cell& cell) {
   Point sum{0, 0};
-  for (const auto& corner : cell.corners) {
-    sum.x += Rational(corner->exact.x) / Rational(corner->exact.w);
-    sum.y += Rational(corner->exact.y) / Rational(corner->exact.w);
-  }
+  for (const auto& corner : cell.corners) sum = sum + point_of(corner->exact);
   const Rational size(static_cast<unsigned long>(cell.corners.size()));
   return {sum.x / size, sum.y / size};
 }
@@ -31,8 +27,11 @@ Place between(const Place& a, double at_a, const Place& b, double at_b) {
 
 }  // namespace
 
-PointOutsideSum::PointOutsideSum(const Point& x)
-    : std::logic_error(to_string(x) + " is in no sum of two pieces") {}
+PieceSums::Pair first_leaf(const Tree& tree) {
+  const auto leaf = std::ranges::find_if(
+      tree, [](const Step& step) { return std::holds_alternative<PieceSums::Pair>(step); });
+  return std::get<PieceSums::Pair>(*leaf);
+}
 
 Tree CellTrees::tree(const std::vector<Point>& corners) {
   Cell whole;
@@ -40,17 +39,35 @@ Tree CellTrees::tree(const std::vector<Point>& corners) {
     whole.corners.push_back(std::make_shared<const CellCorner>(homogeneous(p), doubles_));
   whole.lines.resize(corners.size());
   tree_.clear();
+  ends_.clear();
   open_.push_back({std::move(whole), std::nullopt});
   while (!open_.empty()) {
     const auto [cell, pair] = std::move(open_.back());
     open_.pop_back();
     if (!pair || !add_step(cell, *pair)) add_step(cell);
   }
+  if (seams_ != nullptr) add_seams();
   return std::move(tree_);
 }
 
+void CellTrees::add_seams() {
+  std::vector<Pair> first_leaves;  // of the trees behind a step, the next one last
+  for (auto step = tree_.rbegin(); step != tree_.rend(); ++step) {
+    if (const auto* pair = std::get_if<Pair>(&*step)) {
+      first_leaves.push_back(*pair);
+      continue;
+    }
+    auto& [line, seam] = std::get<Cut>(*step);
+    const Pair of_positive = first_leaves.back();
+    first_leaves.pop_back();
+    seam = seams_->seam(ends_.back().from, ends_.back().to, line, first_leaves.back());
+    first_leaves.back() = of_positive;
+    ends_.pop_back();
+  }
+}
+
 void CellTrees::add_step(const Cell& cell) {
-  std::vector<Pair> pairs = pairs_around(centre(cell));
+  std::vector<Pair> pairs = sums_.pairs_around(centre(cell));
   for (const Pair& pair : pairs) {
     if (!contains(pair, cell) &&
         !OPLUS_MUTANT("cells-stick-out-of-sums", "a cell is in a sum of pieces if its centre is"))
@@ -63,7 +80,7 @@ void CellTrees::add_step(const Cell& cell) {
   const std::size_t size = cell.corners.size();
   for (std::size_t k = 0; k < size; k += 1 + size / enough_sides) {
     const Place &a = cell.corners[k]->near, &b = cell.corners[next(k, size)]->near;
-    const std::vector<Pair> more = pairs_around({(a.x + b.x) / 2, (a.y + b.y) / 2});
+    const std::vector<Pair> more = sums_.pairs_around({(a.x + b.x) / 2, (a.y + b.y) / 2});
     pairs.insert(pairs.end(), more.begin(), more.end());
   }
   std::vector<std::pair<double, Pair>> by_worth;
@@ -92,24 +109,14 @@ bool CellTrees::add_step(const Cell& cell, const Pair& pair) {
     HalvedCell parts = halved(cell, sides, line, doubles_);
     if (OPLUS_MUTANT("cuts-swap-their-sides", "the part to the right of a cut comes first"))
       std::swap(parts.positive, parts.negative);
-    tree_.push_back(line);
+    tree_.push_back(Cut{line, {}});
+    ends_.push_back({std::move(parts.from), std::move(parts.to)});
     open_.push_back({std::move(parts.negative), std::nullopt});
     open_.push_back({std::move(parts.positive), pair});
     return true;
   }
   tree_.push_back(pair);
   return true;
-}
-
-std::vector<PieceSums::Pair> CellTrees::pairs_around(const Place& x) {
-  std::vector<Pair> pairs;
-  sums_.for_each_box_around(x, error_, [&](const Pair& pair) {
-    sums_.sides(pair, half_planes_);
-    if (std::ranges::all_of(half_planes_,
-                            [&](const HalfPlane& side) { return side.above(x) >= -error_; }))
-      pairs.push_back(pair);
-  });
-  return pairs;
 }
 
 /// A pair whose sum certainly contains the centre.
@@ -194,15 +201,10 @@ double CellTrees::covered_area(const Cell& cell) const {
   return twice;
 }
 
-/// Doubles decide, or exact numbers where a corner is near the line.
 Sides CellTrees::sides_of(const Pair& pair, std::size_t side, const Cell& cell) {
   Sides result;
-  for (const auto& corner : cell.corners) {
-    const double above = half_planes_[side].above(corner->near);
-    result.push_back(above > error_    ? 1
-                     : above < -error_ ? -1
-                                       : side_of(sums_.exact_side(pair, side), corner->exact));
-  }
+  for (const auto& corner : cell.corners)
+    result.push_back(sums_.side_of(pair, side, half_planes_[side], *corner));
   return result;
 }
 

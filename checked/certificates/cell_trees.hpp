@@ -2,32 +2,32 @@
 #pragma once
 
 #include <optional>
-#include <stdexcept>
 #include <variant>
 
-#include "checked/certificates/cell.hpp"
-#include "checked/certificates/piece_sums.hpp"
+#include "checked/certificates/seams.hpp"
 
 namespace oplus::certificates {
 
+struct Cut {
+  IntegerLine line;
+  Seam seam;  ///< of an open sum's cut; usual is the pair of the first leaf of the negative part
+};
+
 /// A step of a tree in preorder: a cut, followed by the tree of what is on its positive side and that of what is
 /// on its negative one; or a pair of pieces whose sum contains the cell.
-using Step = std::variant<IntegerLine, PieceSums::Pair>;
+using Step = std::variant<Cut, PieceSums::Pair>;
 using Tree = std::vector<Step>;
 
-/// Thrown where a point of what should be a sum is in no sum of two pieces.
-class PointOutsideSum : public std::logic_error {
- public:
-  explicit PointOutsideSum(const Point& x);
-};
+/// The first pair of a tree.
+PieceSums::Pair first_leaf(const Tree& tree);
 
 /// Cuts convex pieces of a sum into cells, each inside a sum T ⊕ U of two pieces of the summands: along sides of
 /// a T ⊕ U that covers much of a cell and, if there is one, has a side all along the first cut.
 class CellTrees {
  public:
-  /// `largest`: no coordinate of what is asked for is larger.
-  CellTrees(PieceSums& sums, const ShiftedDoubles& doubles, double largest)
-      : sums_(sums), doubles_(doubles), error_(largest * 0x1p-44) {}
+  /// `seams`: of an open sum, else null.
+  CellTrees(PieceSums& sums, const ShiftedDoubles& doubles, Seams* seams)
+      : sums_(sums), doubles_(doubles), seams_(seams), error_(sums.error()) {}
 
   /// Throws PointOutsideSum. Requires: the corners are those of a convex piece.
   Tree tree(const std::vector<Point>& corners);
@@ -41,10 +41,15 @@ class CellTrees {
     std::optional<Pair> pair;
   };
 
+  /// The ends of a cut.
+  struct Ends {
+    Seams::Corner from, to;
+  };
+
   void add_step(const Cell& cell);
   /// Cuts off what is beyond a side of the pair's sum. Returns false if that is all of the cell.
   bool add_step(const Cell& cell, const Pair& pair);
-  std::vector<Pair> pairs_around(const Place& x);
+  void add_seams();
   Pair pair_exactly_around(const Cell& cell);
   bool contains(const Pair& pair, const Cell& cell);
   double worth(const Pair& pair, const Cell& cell);
@@ -58,8 +63,10 @@ class CellTrees {
 
   PieceSums& sums_;
   const ShiftedDoubles& doubles_;
+  Seams* seams_;
   double error_;  ///< of what is above a half plane
   Tree tree_;
+  std::vector<Ends> ends_;  ///< of the tree's cuts, in their order
   std::vector<OpenCell> open_;
   std::vector<HalfPlane> half_planes_;
 };

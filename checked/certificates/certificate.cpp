@@ -2,15 +2,16 @@
 #include "checked/certificates/certificate.hpp"
 
 #include <algorithm>
+#include <set>
 
-#include "reference/io/invalid_input.hpp"
+#include "checked/certificates/certificate_text.hpp"
+#include "checked/certificates/frame_square.hpp"
+#include "checked/certificates/unit.hpp"
+#include "reference/chains/region_of.hpp"
 
 namespace oplus::certificates {
 
 namespace {
-
-/// To check whether a point is in a sum of two pieces takes as long as the product of their sizes.
-constexpr std::uint32_t most_corners_of_summands = 8;
 
 /// To check whether a piece is convex takes as long as the square of its size. Smaller pieces would be long
 /// and thin where many vertices are on a line, and each would be cut into many cells.
@@ -45,23 +46,6 @@ std::vector<Certificate::Link> links(const ConvexPieces& pieces) {
   return result;
 }
 
-/// The common denominator of the coordinates, with which boxes are exact; where that is long, a power of two with
-/// which they are as exact as doubles.
-mpz_class unit(const Region& p, const Region& q, const ShiftedDoubles& doubles) {
-  constexpr std::size_t most_bits = 64;
-  mpz_class common = 1;
-  for (const Region* region : {&p, &q})
-    for (const Chain& chain : chains(*region))
-      for (const Point& v : chain)
-        for (const Rational* x : {&v.x, &v.y}) {
-          if (x->get_den() == 1) continue;
-          common = lcm(common, x->get_den());
-          if (mpz_sizeinbase(common.get_mpz_t(), 2) > most_bits)
-            return mpz_class(1) << static_cast<unsigned long>(std::max(0L, 53 - doubles.bits()));
-        }
-  return common;
-}
-
 double largest_coordinate(const ConvexPieces& pieces, const ShiftedDoubles& doubles) {
   double largest = 0;
   for (const Point& p : pieces.vertices) {
@@ -71,81 +55,60 @@ double largest_coordinate(const ConvexPieces& pieces, const ShiftedDoubles& doub
   return largest;
 }
 
-// The limits of the checker's reader.
-constexpr std::size_t longest_text = std::size_t{1} << 27;
-constexpr std::size_t longest_word = 100'000;
-constexpr std::size_t deepest_tree = 100'000;
-
-[[noreturn]] void refuse(const std::string& wrong, std::size_t most) {
-  throw InvalidInput({"the certificate", 0, 0}, wrong,
-                     "at most " + std::to_string(most) + ", the limit of oplus-certified");
-}
-
-/// How many cuts are above one another.
-std::size_t depth(const Tree& tree) {
-  std::vector<std::size_t> open = {0};  // the depths of trees that are to follow, the next one last
-  std::size_t deepest = 0;
-  for (const Step& step : tree) {
-    const std::size_t here = open.back();
-    open.pop_back();
-    if (!std::holds_alternative<IntegerLine>(step)) continue;
-    deepest = std::max(deepest, here + 1);
-    open.insert(open.end(), 2, here + 1);
-  }
-  return deepest;
-}
-
-class Text {
- public:
-  template <typename... Words>
-  void line(const Words&... words) {
-    (add(words), ...);
-    text_.back() = '\n';
-    if (text_.size() > longest_text) refuse("a text of more bytes", longest_text);
-  }
-
-  void add_pieces(const ConvexPieces& pieces, const std::vector<Tree>* trees) {
-    line("points", pieces.points.size());
-    for (const auto& [edge, point] : pieces.points) line(edge, point.x, point.y);
-    line("pieces", pieces.pieces.size());
-    for (std::size_t i = 0; i < pieces.pieces.size(); ++i) {
-      for (const std::uint32_t corner : pieces.pieces[i]) add(corner);
-      text_.back() = '\n';
-      if (trees == nullptr) continue;
-      if (const std::size_t cuts = depth((*trees)[i]); cuts > deepest_tree)
-        refuse("a tree of " + std::to_string(cuts) + " cuts above one another", deepest_tree);
-      for (const Step& step : (*trees)[i]) {
-        if (const auto* cut = std::get_if<IntegerLine>(&step))
-          line("cut", cut->a, cut->b, cut->c);
-        else
-          line("in", std::get<PieceSums::Pair>(step).i, std::get<PieceSums::Pair>(step).j);
+/// Those whose seam is not the usual one.
+std::vector<Certificate::Diagonal> diagonals(const Certificate& of, Seams& seams,
+                                             const ShiftedDoubles& doubles) {
+  const auto corner = [&](std::uint32_t vertex) {
+    return std::make_shared<const CellCorner>(homogeneous(of.sum.vertices[vertex]), doubles);
+  };
+  std::set<std::pair<std::uint32_t, std::uint32_t>> sides;
+  std::vector<Certificate::Diagonal> result;
+  for (std::size_t i = 0; i < of.sum.pieces.size(); ++i) {
+    const ConvexPiece& piece = of.sum.pieces[i];
+    for (std::size_t k = 0; k < piece.size(); ++k) {
+      const std::uint32_t from = piece[k], to = piece[next(k, piece.size())];
+      if (sides.erase({to, from}) == 0) {
+        sides.emplace(from, to);
+        continue;
       }
+      const auto a = corner(from), b = corner(to);
+      Seam seam = seams.seam(a, b, line_through(a->exact, b->exact), first_leaf(of.trees[i]));
+      if (!seam.is_usual()) result.push_back({from, to, std::move(seam)});
     }
   }
+  return result;
+}
 
-  void add_summand(const char* name, const Certificate::PiecesOfSummand& summand) {
-    line("summand", name);
-    add_pieces(summand.pieces, nullptr);
-    line("links", summand.links.size());
-    for (const auto& [reached, next] : summand.links) line(reached, next);
+Certificate made(Claim claim, const Region& p, const Region& q, const ClaimedSum& s) {
+  Certificate result;
+  result.claim = claim;
+  result.p.pieces = pieces_of_summand(p);
+  result.q.pieces = pieces_of_summand(q);
+  result.sum = pieces::convex_pieces(s.region, most_corners_of_sum);
+  result.p.links = links(result.p.pieces);
+  result.q.links = links(result.q.pieces);
+
+  std::vector<Point> all;
+  for (const ConvexPieces* pieces : {&result.p.pieces, &result.q.pieces, &result.sum})
+    all.insert(all.end(), pieces->vertices.begin(), pieces->vertices.end());
+  const ShiftedDoubles doubles(all);
+  result.unit = unit({&p, &q}, doubles);
+  const double largest = std::max(
+      largest_coordinate(result.p.pieces, doubles) + largest_coordinate(result.q.pieces, doubles),
+      largest_coordinate(result.sum, doubles));
+  PieceSums sums(result.p.pieces, result.q.pieces, doubles, largest);
+  Seams seams(sums, doubles, s);
+  const bool is_open = claim != Claim::sum;
+  CellTrees trees(sums, doubles, is_open ? &seams : nullptr);
+  std::vector<Point> corners;
+  for (const ConvexPiece& piece : result.sum.pieces) {
+    corners.clear();
+    for (const std::uint32_t corner : piece) corners.push_back(result.sum.vertices[corner]);
+    result.trees.push_back(trees.tree(corners));
   }
-
-  std::string text() && { return std::move(text_); }
-
- private:
-  void add(const char* word) { (text_ += word) += ' '; }
-  void add(std::size_t number) { (text_ += std::to_string(number)) += ' '; }
-  void add(std::uint32_t number) { add(std::size_t{number}); }
-  void add(const mpz_class& number) { add_number(number.get_str()); }
-  void add(const Rational& number) { add_number(number.get_str()); }
-  void add_number(const std::string& word) {
-    if (word.size() > longest_word)
-      refuse("a number of " + std::to_string(word.size()) + " characters", longest_word);
-    (text_ += word) += ' ';
-  }
-
-  std::string text_;
-};
+  if (is_open) result.diagonals = diagonals(result, seams, doubles);
+  return result;
+}
 
 }  // namespace
 
@@ -156,41 +119,64 @@ std::optional<Point> repeated_vertex(const Region& s) {
 }
 
 Certificate certificate(const Region& p, const Region& q, const Region& s) {
-  Certificate result;
-  result.p.pieces = pieces::convex_pieces(p, most_corners_of_summands);
-  result.q.pieces = pieces::convex_pieces(q, most_corners_of_summands);
-  result.sum = pieces::convex_pieces(s, most_corners_of_sum);
-  result.p.links = links(result.p.pieces);
-  result.q.links = links(result.q.pieces);
+  return made(Claim::sum, p, q, {s, {}, {}});
+}
 
-  std::vector<Point> all;
-  for (const ConvexPieces* pieces : {&result.p.pieces, &result.q.pieces, &result.sum})
-    all.insert(all.end(), pieces->vertices.begin(), pieces->vertices.end());
-  const ShiftedDoubles doubles(all);
-  result.unit = unit(p, q, doubles);
-  const double largest = std::max(
-      largest_coordinate(result.p.pieces, doubles) + largest_coordinate(result.q.pieces, doubles),
-      largest_coordinate(result.sum, doubles));
-  PieceSums sums(result.p.pieces, result.q.pieces, doubles);
-  CellTrees trees(sums, doubles, largest);
-  std::vector<Point> corners;
-  for (const ConvexPiece& piece : result.sum.pieces) {
-    corners.clear();
-    for (const std::uint32_t corner : piece) corners.push_back(result.sum.vertices[corner]);
-    result.trees.push_back(trees.tree(corners));
-  }
+Certificate open_certificate(const Region& p, const Region& q, const ClaimedSum& s) {
+  return made(Claim::open_sum, p, q, s);
+}
+
+Certificate no_fit_certificate(const Region& p, const Region& q, const ClaimedSum& s) {
+  return made(Claim::no_fit, p, reflected(q), s);
+}
+
+// x is no place of q iff it is in the open sum of what is outside of p, within a square, and -q; or so far away that
+// x + q does not meet p. There the sum is that of the whole square and -q.
+Certificate inner_fit_certificate(const Region& p, const Region& q, const ClaimedSum& s,
+                                  const SumOf& sum) {
+  const Rational size = frame_size({&p, &q});
+  const Region opposite = reflected(q);
+  const PlanarSet around = sum(polygon(square(5 * size)), opposite, Boundary::open);
+  ClaimedSum outer{region_of(around), around.dangling_edges, around.isolated_vertices};
+  ClaimedSum open = outer;
+  std::vector<Chain>& holes = open.region.components.back().holes;
+  for (const Chain& chain : chains(s.region)) holes.push_back(turned(chain));
+  open.dangling_edges.insert(open.dangling_edges.end(), s.dangling_edges.begin(),
+                             s.dangling_edges.end());
+  open.isolated_vertices.insert(open.isolated_vertices.end(), s.isolated_vertices.begin(),
+                                s.isolated_vertices.end());
+  Certificate result = made(Claim::inner_fit, complement_in_square(5 * size, p), opposite, open);
+  result.outer = std::move(outer);
   return result;
 }
 
 std::string written(const Certificate& certificate) {
-  Text text;
-  text.line("oplus", "certificate", "1");
+  constexpr const char* names[] = {"sum", "open-sum", "nfp", "ifp"};
+  CertificateText text(names[static_cast<int>(certificate.claim)]);
+  if (certificate.claim == Claim::inner_fit) {
+    const auto& [region, edges, points] = certificate.outer;
+    const std::vector<Chain> outer = chains(region);
+    text.line("outer", outer.size());
+    for (const Chain& chain : outer) text.line(chain);
+    text.line("outer-edges", edges.size());
+    for (const Segment& edge : edges) text.line(edge.source, edge.target);
+    text.line("outer-points", points.size());
+    for (const Point& point : points) text.line(point);
+  }
   text.line("unit", certificate.unit);
-  text.add_summand("p", certificate.p);
-  text.add_summand("q", certificate.q);
+  for (const auto& [name, summand] :
+       {std::pair("p", &certificate.p), std::pair("q", &certificate.q)}) {
+    text.line("summand", name);
+    text.add_pieces(summand->pieces, nullptr);
+    text.line("links", summand->links.size());
+    for (const auto& [reached, next] : summand->links) text.line(reached, next);
+  }
   text.line("sum");
   text.add_pieces(certificate.sum, &certificate.trees);
-  text.line("end");
+  if (certificate.claim != Claim::sum) {
+    text.line("seams", certificate.diagonals.size());
+    for (const auto& [from, to, seam] : certificate.diagonals) text.line(from, to, seam);
+  }
   return std::move(text).text();
 }
 

@@ -34,10 +34,24 @@ inline HomogeneousPoint homogeneous(const Point& p) {
   return {p.x.get_num() * (w / p.x.get_den()), p.y.get_num() * (w / p.y.get_den()), w};
 }
 
+inline Point point_of(const HomogeneousPoint& p) {
+  return {Rational(p.x) / Rational(p.w), Rational(p.y) / Rational(p.w)};
+}
+
 /// Positive to the left of the line, where a x + b y + c is, negative to its right.
 inline int side_of(const IntegerLine& line, const HomogeneousPoint& p) {
   const mpz_class value = line.a * p.x + line.b * p.y + line.c * p.w;
   return sgn(value);
+}
+
+/// Negative where p comes before q in the direction (b, -a), that of a walk with the positive side to its left.
+inline int order_along(const IntegerLine& line, const HomogeneousPoint& p,
+                       const HomogeneousPoint& q) {
+  const auto along = [&](const HomogeneousPoint& v) {
+    return mpz_class(line.b * v.x - line.a * v.y);
+  };
+  const mpz_class difference = along(p) * q.w - along(q) * p.w;
+  return sgn(difference);
 }
 
 /// The line from p to q, whose left side is positive. Requires: p and q differ.

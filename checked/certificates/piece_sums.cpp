@@ -6,6 +6,8 @@
 #include <optional>
 #include <span>
 
+#include "reference/io/writing.hpp"
+
 namespace oplus::certificates {
 
 namespace {
@@ -54,8 +56,20 @@ NearPieces::NearPieces(const ConvexPieces& pieces, const ShiftedDoubles& doubles
   boxes = BoxTree<>(boxes_around);
 }
 
-PieceSums::PieceSums(const ConvexPieces& p, const ConvexPieces& q, const ShiftedDoubles& doubles)
-    : p_(p, doubles), q_(q, doubles) {}
+PointOutsideSum::PointOutsideSum(const Point& x)
+    : std::logic_error(to_string(x) + " is in no sum of two pieces") {}
+
+std::vector<PieceSums::Pair> PieceSums::pairs_around(const Place& x) const {
+  std::vector<Pair> pairs;
+  std::vector<HalfPlane> half_planes;
+  for_each_box_around(x, error_, [&](const Pair& pair) {
+    sides(pair, half_planes);
+    if (std::ranges::all_of(half_planes,
+                            [&](const HalfPlane& side) { return side.above(x) >= -error_; }))
+      pairs.push_back(pair);
+  });
+  return pairs;
+}
 
 void PieceSums::sides(const Pair& pair, std::vector<HalfPlane>& result) const {
   const NearPiece &t = p_.near[pair.i], &u = q_.near[pair.j];
@@ -72,6 +86,14 @@ const IntegerLine& PieceSums::exact_side(const Pair& pair, std::size_t side) {
   if (!is_known) line = computed_side(pair, side);
   is_known = true;
   return line;
+}
+
+int PieceSums::side_of(const Pair& pair, std::size_t side, const HalfPlane& half_plane,
+                       const CellCorner& corner) {
+  const double above = half_plane.above(corner.near);
+  return above > error_    ? 1
+         : above < -error_ ? -1
+                           : certificates::side_of(exact_side(pair, side), corner.exact);
 }
 
 IntegerLine PieceSums::computed_side(const Pair& pair, std::size_t side) const {

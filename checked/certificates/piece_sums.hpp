@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <stdexcept>
 #include <unordered_map>
 #include <vector>
 
 #include "checked/boxes/box_tree.hpp"
-#include "checked/certificates/integer_line.hpp"
+#include "checked/certificates/cell.hpp"
 #include "checked/pieces/convex_pieces.hpp"
 #include "checked/pieces/shifted_doubles.hpp"
 
@@ -13,8 +14,6 @@ namespace oplus::certificates {
 
 using pieces::ConvexPiece;
 using pieces::ConvexPieces;
-using pieces::Place;
-using pieces::ShiftedDoubles;
 
 /// Where a x + b y >= low, in doubles; (a, b) has the length 1.
 struct HalfPlane {
@@ -40,11 +39,20 @@ struct NearPieces {
   BoxTree<> boxes;
 };
 
+/// Thrown where a point of what should be a sum is in no sum of two pieces.
+class PointOutsideSum : public std::logic_error {
+ public:
+  explicit PointOutsideSum(const Point& x);
+};
+
 /// The sums of a convex piece T of P and one, U, of Q. Side k of T ⊕ U is in the direction of side k of T, and
 /// those of U follow.
 class PieceSums {
  public:
-  PieceSums(const ConvexPieces& p, const ConvexPieces& q, const ShiftedDoubles& doubles);
+  /// `largest`: no coordinate of what is asked for is larger, nor of a sum.
+  PieceSums(const ConvexPieces& p, const ConvexPieces& q, const ShiftedDoubles& doubles,
+            double largest)
+      : p_(p, doubles), q_(q, doubles), error_(largest * 0x1p-44) {}
 
   struct Pair {
     std::uint32_t i, j;
@@ -58,11 +66,22 @@ class PieceSums {
       visit(place, margin, p_.boxes.all(), q_.boxes.all(), call);
   }
 
+  /// What is above a half plane by more than this is above its line.
+  double error() const { return error_; }
+
+  /// All pairs whose sums contain a place, or nearly.
+  std::vector<Pair> pairs_around(const Place& x) const;
+
   /// The half planes of T ⊕ U, each off by a few roundings of the largest coordinates.
   void sides(const Pair& pair, std::vector<HalfPlane>& result) const;
 
   /// The same of one, exactly.
   const IntegerLine& exact_side(const Pair& pair, std::size_t side);
+
+  /// 1 for a corner above the side, 0 on its line, -1 beyond. Doubles decide, or exact numbers where it is near the
+  /// line. `half_plane` is that of the side.
+  int side_of(const Pair& pair, std::size_t side, const HalfPlane& half_plane,
+              const CellCorner& corner);
 
  private:
   template <typename Call>
@@ -89,6 +108,7 @@ class PieceSums {
 
   NearPieces p_;
   NearPieces q_;
+  double error_;
   std::unordered_map<std::uint64_t, std::vector<std::pair<bool, IntegerLine>>> exact_sides_;
 };
 

@@ -18,6 +18,7 @@ struct CertifyOptions {
   std::string q;
   std::string sum;
   Overlaps overlaps = Overlaps::refused;
+  Boundary boundary = Boundary::closed;
   std::string output = "-";
 };
 
@@ -27,7 +28,7 @@ ExitCode certify(const CertifyOptions& options) {
   const Region p = read_summand(options.p, nullptr, Extent::bounded, options.overlaps);
   const Region q = read_summand(options.q, nullptr, Extent::bounded, options.overlaps);
   const ClaimedSum given = read_unchecked_sum(options.sum);
-  const Verdict verdict = verify(p, q, Boundary::closed, given);
+  const Verdict verdict = verify(p, q, options.boundary, given);
   for (const std::string& note : verdict.notes) say_note(note);
   if (!verdict.is_sum()) {
     write_text("-", text_of(verdict));
@@ -36,7 +37,9 @@ ExitCode certify(const CertifyOptions& options) {
   if (const auto vertex = certificates::repeated_vertex(given.region))
     throw UsageError("S has the vertex " + to_string(*vertex) +
                      " twice in a row; a certificate needs an edge between them");
-  write_text(options.output, written(certificates::certificate(p, q, given.region)));
+  write_text(options.output, written(options.boundary == Boundary::closed
+                                         ? certificates::certificate(p, q, given.region)
+                                         : certificates::open_certificate(p, q, given)));
   return ExitCode::done;
 }
 
@@ -44,11 +47,13 @@ ExitCode certify(const CertifyOptions& options) {
 
 void add_certify(Program& program) {
   const auto& [command, options] = program.add(
-      "certify", "Write a certificate that a region is the sum of two others, if it is", certify);
+      "certify", "Write a certificate that a set is the sum of two regions, if it is", certify);
   command.file("P", options.p, "a region (docs/files.md); - is standard input").required();
   command.file("Q", options.q, "the other region").required();
-  command.file("S", options.sum, "the sum of the closed regions, from any source").required();
+  command.file("S", options.sum, "the sum, from any source").required();
   add_union(command, options.overlaps, "P, and of Q");
+  add_open(command, options.boundary,
+           "S is the sum of the regions' interiors, with its dangling edges and isolated vertices");
   command.file("-o,--output", options.output,
                "where to write it (docs/certificates.md), by default standard output");
   command.footer(

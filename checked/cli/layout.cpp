@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <optional>
 
+#include "checked/certificates/layout_certificate.hpp"
 #include "checked/cli/command_line/terminal.hpp"
 #include "checked/cli/input.hpp"
 #include "checked/cli/layout_answer.hpp"
 #include "checked/cli/numbers.hpp"
 #include "checked/cli/shared_options.hpp"
+#include "checked/cli/usage_error.hpp"
 #include "checked/layouts/reading.hpp"
+#include "reference/definitions/region.hpp"
 
 namespace oplus {
 
@@ -23,9 +26,19 @@ struct LayoutOptions {
   std::string tolerance = "0";
   std::string angle_error = "0.000000001";
   std::optional<unsigned> threads;
+  std::optional<std::string> certificate;
   Answer answer = text_answer;
   std::string output = "-";
 };
+
+constexpr const char* certified_layouts =
+    "--certificate is for layouts without --spacing, --margin and --tolerance, of one sheet without defects";
+
+std::string certificate_of(const Sheet& sheet) {
+  std::vector<Region> parts;
+  for (const PlacedPart& part : sheet.parts) parts.push_back(translated(*part.shape, part.at));
+  return certificates::layout_certificate(sheet.container, parts);
+}
 
 ExitCode check_layout(const LayoutOptions& options) {
   const LayoutRules rules{distance_number("--spacing", options.spacing),
@@ -34,7 +47,11 @@ ExitCode check_layout(const LayoutOptions& options) {
   const Rational error = angle_error(options.angle_error);
   require_one_standard_input(
       {options.layout, options.container.value_or(""), options.defects.value_or("")});
-  require_writable({options.output});
+  std::vector<std::string> paths = {options.output};
+  if (options.certificate) paths.push_back(*options.certificate);
+  require_writable(paths);
+  if (options.certificate && (rules.spacing != 0 || rules.margin != 0 || rules.tolerance != 0))
+    throw UsageError(certified_layouts);
   Layout layout = read_layout_file(options.layout, error);
   for (const std::string& note : layout.notes) say_note(note);
   if (options.container) {
@@ -49,10 +66,19 @@ ExitCode check_layout(const LayoutOptions& options) {
         read_summand(*options.defects, nullptr, Extent::bounded, Overlaps::allowed);
     for (Sheet& sheet : layout.sheets) sheet.defects.push_back({defects});
   }
+  if (options.certificate && (layout.sheets.size() != 1 || !layout.sheets[0].defects.empty()))
+    throw UsageError(certified_layouts);
   Verdicts verdicts;
   for (const Sheet& sheet : layout.sheets)
     verdicts.push_back(check(sheet, rules, number_of(options.threads)));
-  write_text(options.output, options.answer(layout, verdicts));
+  std::vector<OutputTo> outputs_to = {{options.output, options.answer(layout, verdicts)}};
+  if (options.certificate && is_right(verdicts))
+    outputs_to.emplace_back(*options.certificate, certificate_of(layout.sheets[0]));
+  Outputs outputs;
+  outputs.write(outputs_to);
+  outputs.finish();
+  if (options.certificate && !is_right(verdicts))
+    say_note("there is no certificate of a layout that is wrong");
   return is_right(verdicts) ? ExitCode::done : ExitCode::not_equal;
 }
 
@@ -90,9 +116,15 @@ void add_layout(Program& program) {
       .default_shown();
   add_threads(command, options.threads, "");
   command.choice<Answer>("--format", options.answer,
-                         {{"text", text_answer}, {"json", json_answer}, {"svg", svg_answer}},
-                         "answer in a text (the default), in JSON (docs/json.md), or in a picture "
-                         "in which wrong parts are red");
+                         {{"text", text_answer},
+                          {"json", json_answer},
+                          {"svg", svg_answer},
+                          {"wkt", wkt_answer},
+                          {"container", container_answer}},
+                         "answer in a text (the default), in JSON (docs/json.md), in a picture "
+                         "in which wrong parts are red, or by the parts where they lie or the "
+                         "container, in WKT, one a line");
+  add_certificate(command, options.certificate, "a layout that is right");
   command.file("-o,--output", options.output,
                "write the answer there; by default to standard output");
   command.footer(

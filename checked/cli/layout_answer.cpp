@@ -175,4 +175,17 @@ std::string svg_answer(const Layout& layout, const Verdicts& verdicts) {
   return svg(panels, 560);
 }
 
+std::string wkt_answer(const Layout& layout, const Verdicts&) {
+  std::string text;
+  for (const Sheet& sheet : layout.sheets)
+    for (const PlacedPart& part : sheet.parts) text += wkt(translated(*part.shape, part.at)) + "\n";
+  return text;
+}
+
+std::string container_answer(const Layout& layout, const Verdicts&) {
+  std::string text;
+  for (const Sheet& sheet : layout.sheets) text += wkt(sheet.container.value_or(Region())) + "\n";
+  return text;
+}
+
 }  // namespace oplus

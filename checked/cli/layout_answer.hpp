@@ -18,5 +18,9 @@ std::string text_answer(const Layout& layout, const Verdicts& verdicts);
 std::string json_answer(const Layout& layout, const Verdicts& verdicts);
 /// A picture; what is wrong is red.
 std::string svg_answer(const Layout& layout, const Verdicts& verdicts);
+/// The parts where they lie, in WKT, one a line.
+std::string wkt_answer(const Layout& layout, const Verdicts& verdicts);
+/// The containers, in WKT, one a line; EMPTY is none.
+std::string container_answer(const Layout& layout, const Verdicts& verdicts);
 
 }  // namespace oplus

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "checked/operations/operations.hpp"
 
+#include "checked/certificates/certificate.hpp"
 #include "checked/cli/command_line/progress.hpp"
 #include "checked/cli/command_line/terminal.hpp"
 #include "checked/cli/engines_and_oracle.hpp"
@@ -26,6 +27,7 @@ struct OperationOptions {
   RegionOutput output;
   Overlaps overlaps = Overlaps::refused;
   SpacingOptions spacing;
+  std::optional<std::string> certificate;
   std::string engine = engines_and_oracle().front().name;
   std::optional<unsigned> threads;
   std::optional<std::string> svg;
@@ -35,11 +37,34 @@ Panel panel_of_summand(Summand which, const ReadSet& set) {
   return is_region(set) ? panel_of(which, set.region) : panel_of_set(which, union_in(set));
 }
 
+/// Throws UsageError where a certificate is asked for and there is none.
+void require_certifiable(const OperationOptions& options, const ReadSet& p, const ReadSet& q) {
+  if (!options.certificate) return;
+  if (options.spacing.distance)
+    throw UsageError("--certificate is for P and Q as they are, without --spacing");
+  for (const ReadSet* set : {&p, &q})
+    if (!is_region(*set) || is_unbounded(set->region))
+      throw UsageError("--certificate is for bounded regions, without line strings and points");
+  if (options.operation.boundary == Boundary::closed && q.region.components.empty())
+    throw UsageError("--certificate is for a Q that is not empty");
+}
+
+/// The text of the certificate of a no-fit or an inner-fit polygon.
+std::string certificate_of(const Operation& operation, const Region& p, const Region& q,
+                           const ClaimedSum& set, const SumOf& sum) {
+  return written(operation.boundary == Boundary::open
+                     ? certificates::no_fit_certificate(p, q, set)
+                     : certificates::inner_fit_certificate(p, q, set, sum));
+}
+
 ExitCode operate(const OperationOptions& options) {
   const Engine& engine = *find_engine(engines_and_oracle(), options.engine);
   const unsigned threads = threads_of(engine, options.threads);
   require_one_standard_input({options.p, options.q});
-  require_writable({options.output.path}, options.svg);
+  std::vector<std::string> outputs = {options.output.path};
+  if (options.certificate) outputs.push_back(*options.certificate);
+  require_writable(outputs, options.svg);
+  require_certifiable(options.certificate, options.output);
   const Format format = output_format(options.output);
   const std::optional<Region> disc = disc_of(options.spacing);
   const Operation& operation = options.operation;
@@ -49,6 +74,7 @@ ExitCode operate(const OperationOptions& options) {
   else
     p.region = read_summand(options.p, nullptr, Extent::any, options.overlaps);
   const ReadSet q = read_summand_set(options.q, nullptr, options.overlaps);
+  require_certifiable(options, p, q);
   const SumOf sum = [&](const Region& a, const Region& b, Boundary boundary) {
     ShownStep step(step_of_sum(a, b));
     return engine
@@ -64,13 +90,17 @@ ExitCode operate(const OperationOptions& options) {
   if (operation.boundary == Boundary::open && !(is_region(p) && is_region(q)) &&
       p.region.components.empty() && q.region.components.empty())
     say_note("neither set has inner points, so they never overlap");
+  const Region region = region_of(set);
   std::vector<OutputTo> others;
+  if (options.certificate)
+    others.emplace_back(*options.certificate,
+                        certificate_of(operation, p.region, q.region,
+                                       {region, set.dangling_edges, set.isolated_vertices}, sum));
   if (options.svg)
     others.emplace_back(*options.svg, svg({panel_of_summand(Summand::P, p),
                                            panel_of_summand(Summand::Q, q),
                                            {operation.name + " P Q", layers_of(set)}}));
-  write_output(options.output,
-               output_text(options.output, format, set, region_of(set), operation.boundary),
+  write_output(options.output, output_text(options.output, format, set, region, operation.boundary),
                std::move(others));
   return ExitCode::done;
 }
@@ -110,7 +140,10 @@ void add_operations(Program& program) {
         .required();
     add_output(command, options.output, "the result");
     add_union(command, options.overlaps, "P, and of Q");
-    if (operation.takes_spacing) add_spacing(command, options.spacing);
+    if (operation.takes_spacing) {
+      add_spacing(command, options.spacing);
+      add_certificate(command, options.certificate, "the result");
+    }
     command
         .option("--engine NAME", options.engine, "the engine that computes sums, as in oplus sum")
         .one_of(names_of(engines_and_oracle()));

@@ -97,6 +97,19 @@ std::string step_of_sum(const Region& p, const Region& q) {
          (bits > many ? " with coordinates of up to " + std::to_string(bits) + " bits" : "");
 }
 
+void add_certificate(const Command& command, std::optional<std::string>& certificate,
+                     const std::string& what) {
+  command.file(
+      "--certificate", certificate,
+      "write there what oplus-certified needs to check " + what + " (docs/certificates.md)");
+}
+
+void require_certifiable(const std::optional<std::string>& certificate,
+                         const RegionOutput& output) {
+  if (certificate && output_grid(output))
+    throw UsageError("--certificate is for exact results, without --digits and --grid");
+}
+
 void add_open(const Command& command, Boundary& boundary, const std::string& what) {
   command.flag(
       "--open", [&boundary] { boundary = Boundary::open; }, what);

@@ -43,6 +43,13 @@ unsigned threads_of(const Engine& engine, const std::optional<unsigned>& threads
 /// Returns "computing a sum of 30 and 40 vertices" and, where that makes it slow, how long coordinates are.
 std::string step_of_sum(const Region& p, const Region& q);
 
+/// Adds `--certificate FILE`.
+void add_certificate(const Command& command, std::optional<std::string>& certificate,
+                     const std::string& what);
+
+/// Throws UsageError where a certificate of a set is asked for that is rounded when it is written.
+void require_certifiable(const std::optional<std::string>& certificate, const RegionOutput& output);
+
 /// Adds `--open`.
 void add_open(const Command& command, Boundary& boundary, const std::string& what);
 

@@ -53,14 +53,6 @@ std::vector<std::string> outputs(const SumOptions& options) {
   return paths;
 }
 
-void require_certifiable(const SumOptions& options) {
-  if (!options.certificate) return;
-  if (options.boundary == Boundary::open)
-    throw UsageError("--certificate is for sums of closed regions, without --open");
-  if (output_grid(options.output))
-    throw UsageError("--certificate is for exact sums, without --digits and --grid");
-}
-
 /// For what is said of convolutions, which unbounded regions have none of.
 void require_plain(const SumOptions& options) {
   if (options.svg || options.origins || options.certificate || options.stats || options.stats_json)
@@ -226,7 +218,11 @@ Run done(const SumOptions& options, const Engine& engine, EngineOptions engine_o
   const std::string certificate = timed(run.certificate, [&] {
     if (!options.certificate) return std::string();
     step.next("making the certificate");
-    return written(certificates::certificate(p, q, region));
+    return written(
+        options.boundary == Boundary::closed
+            ? certificates::certificate(p, q, region)
+            : certificates::open_certificate(
+                  p, q, {region, computed.sum.dangling_edges, computed.sum.isolated_vertices}));
   });
   step.next("writing the sum");
   std::vector<OutputTo> others;
@@ -253,7 +249,7 @@ ExitCode sum(const SumOptions& options) {
                                         .threads = threads_of(engine, options.threads),
                                         .hole_test = chosen_hole_test(options, engine)};
   require_one_standard_input({options.p, options.q});
-  require_certifiable(options);
+  require_certifiable(options.certificate, options.output);
   require_writable(outputs(options), options.svg);
   const Format format = output_format(options.output);
 
@@ -316,8 +312,7 @@ void add_sum(Program& program) {
       "draw summands, convolutions and sum there, as SVG; convolutions of up to 20000 segments");
   command.file("--origins", options.origins,
                "write there, as JSON, which vertex and edge each edge of the sum came from");
-  command.file("--certificate", options.certificate,
-               "write there what oplus-certified needs to check the sum (docs/certificates.md)");
+  add_certificate(command, options.certificate, "the sum");
   command.flag("--stats", options.stats,
                "print sizes, times of all stages and memory to standard error");
   command.file("--stats-json", options.stats_json,

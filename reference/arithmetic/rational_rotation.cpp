@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "reference/arithmetic/floor_of.hpp"
+#include "reference/arithmetic/simplest_between.hpp"
 #include "reference/definitions/contract.hpp"
 #include "reference/definitions/mutant.hpp"
 
@@ -71,15 +72,6 @@ class FixedPoint {
 /// As many bits as leave 64 behind the first one of a number.
 unsigned long bits_for(const Rational& error) {
   return 72 + mpz_sizeinbase(mpz_class(floor_of(1 / error) + 1).get_mpz_t(), 2);
-}
-
-/// The fraction from low to high with the smallest denominator, and with the smallest numerator among
-/// those; both are smallest at once. Requires: 0 <= low <= high.
-Rational simplest_between(const Rational& low, const Rational& high) {
-  const mpz_class whole = floor_of(low);
-  if (whole == low) return whole;
-  if (whole + 1 <= high) return whole + 1;
-  return whole + 1 / simplest_between(1 / (high - whole), 1 / (low - whole));
 }
 
 /// By 2 arctan(t): the rational parametrization of the circle.
