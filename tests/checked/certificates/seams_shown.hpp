@@ -21,7 +21,7 @@ class ShownSeams {
     std::map<std::pair<std::uint32_t, std::uint32_t>, const Seam*> given;
     for (const auto& [from, to, seam] : certificate.diagonals) given[{from, to}] = &seam;
     std::map<std::pair<std::uint32_t, std::uint32_t>, bool> sides;
-    const Seam usual;
+    const Seam unwritten;
     for (std::size_t i = 0; i < certificate.sum.pieces.size(); ++i) {
       Chain corners;
       for (const std::uint32_t corner : certificate.sum.pieces[i])
@@ -34,7 +34,7 @@ class ShownSeams {
         sides[{from, to}] = true;
         if (!sides.contains({to, from})) continue;
         const auto own = given.find({from, to});
-        look_at(own == given.end() ? usual : *own->second, first, corners[k],
+        look_at(own == given.end() ? unwritten : *own->second, first, corners[k],
                 corners[next(k, corners.size())]);
         if (own != given.end()) given.erase(own);
       }
