@@ -153,7 +153,7 @@ def test_certificates_of_the_core_are_accepted(page, name):
     page.until(lambda: "open=1" in page.driver.current_url)
     check(page, "Accepted in ")
     assert page.text("certified").endswith(f" ms: {closed} is the closed sum of P and Q.")
-    assert page.value("certificate").startswith("oplus certificate 1\n")
+    assert page.value("certificate").startswith("oplus certificate 2\n")
 
 
 def test_false_certificates_are_refused(page):
@@ -163,7 +163,7 @@ def test_false_certificates_are_refused(page):
     false = {
         right.replace("in 1 0", "in 0 0"): "Refused: not certified: piece 1 of S, ",
         right.replace("0 3 4 5", "0 1 4 5", 1): "Refused: not certified: the pieces of P are not convex, or are not P.",
-        right.replace("unit 1\n", "unit 0\n", 1): "Refused: certificate:2: the unit is 0; expected a positive number.",
+        right.replace("unit 1\n", "unit 0\n", 1): "Refused: certificate:3: the unit is 0; expected a positive number.",
         right[:-4]: "Refused: certificate:",
         "nonsense": "Refused: certificate:1: 'nonsense'; expected 'oplus'.",
     }
