@@ -1,12 +1,13 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* The theorem: what the checker of layouts (layout_checker.v) accepts is a layout, as specification.v says. Near each
    point of a region are points of it that are in no other one, since their pieces are apart (pieces_apart.v). So no
-   point is an inner point of two parts; and no point of a part is off the container, with points outside all around. *)
+   point is an inner point of two parts; and no point of a part is off the container, with points outside all
+   around. *)
 From Coq Require Import NArith QArith Lqa ZArith Lia Bool List.
 From Oplus Require Import regions specification checker direction angular_crossings winding_number signed_crossings
-  neighbourhoods homogeneous_points specification_bridge fans pieces_cover sums_are_inside sum_program sum_is_right
-  coordinates turned_chains inner_fit_program complement_in_a_frame open_sums inner_fit_is_right layout_checker
-  pieces_apart.
+  neighbourhoods homogeneous_points specification_bridge fans pieces_cover sums_are_inside what_is_checked inner_sums
+  sum_program sum_is_right coordinates turned_chains inner_fit_program complement_in_a_frame open_sums
+  inner_fit_is_right layout_checker pieces_apart.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -31,16 +32,16 @@ Proof.
   pose proof (certified_pieces r r_certified) as r_pieces. pose proof (certified_pieces s s_certified) as s_pieces.
   rewrite Forall_forall in r_pieces, s_pieces.
   destruct (region_is_in_pieces _ _ _ r_certified x in_r) as (t & T & in_t).
-  destruct (strictly_inside_piece_near t (as_vector x) radius (r_pieces t T) in_t R) as (y & close & in_y).
+  destruct (strictly_in_near t (as_vector x) radius (r_pieces t T) in_t R) as (y & close & in_y).
   exists (as_point y). rewrite as_vector_of_point. split; [exact close |]. split.
   - apply (pieces_are_in_region _ _ _ r_certified (pieces_of_corners _) t); [exact T |]. rewrite as_vector_of_point.
-    intros l L. now apply Qlt_le_weak, in_y.
+    now apply strictly_in_is_inside.
   - intros in_s. destruct (region_is_in_pieces _ _ _ s_certified _ in_s) as (u & U & in_u).
     rewrite as_vector_of_point in in_u.
-    exact (strictly_inside_is_alone t u y (r_pieces t T) (s_pieces u U) (apart t u T U) in_y in_u).
+    exact (strictly_in_alone t u y (r_pieces t T) (s_pieces u U) (apart t u T U) in_y in_u).
 Qed.
 
-Lemma inner_points_near (x : point) (r : polygonal_region) : is_inner_point x r ->
+Lemma members_near_inner_points (x : point) (r : polygonal_region) : is_inner_point x r ->
   exists radius, 0 < radius /\ forall y, within radius (as_vector x) (as_vector y) -> member y r.
 Proof.
   intros [round free]%inner_point_is.
@@ -53,7 +54,7 @@ Lemma no_common_inner_point (r s : polygonal_region * region_certificate) (x : p
   ~ (is_inner_point x (fst r) /\ is_inner_point x (fst s)).
 Proof.
   intros r_certified s_certified apart [[round _] in_s].
-  destruct (inner_points_near x _ in_s) as (radius & R & near).
+  destruct (members_near_inner_points x _ in_s) as (radius & R & near).
   destruct (not_all_around r s x radius r_certified s_certified apart) as (y & close & _ & out);
     [now right | exact R |].
   exact (out (near y close)).
@@ -126,7 +127,7 @@ Proof.
   change (size_of _) with m in large, all.
   destruct (members_are_in_the_square a m x) as [in_x in_y]; [| exact in_a |].
   { intros v V. apply all, in_flat_map. exists a. split; [now right | exact V]. }
-  cbn [vx vy as_vector] in in_x, in_y. apply (outside_in_frame (2 * m)), inner_points_near in out; [| lra ..].
+  cbn [vx vy as_vector] in in_x, in_y. apply (outside_in_frame (2 * m)), members_near_inner_points in out; [| lra ..].
   destruct out as (radius & R & near).
   destruct regions as [| outside regions]; [discriminate |]. injection are_these as is_outside are_parts.
   rewrite <- are_parts in A. apply in_map_iff in A. destruct A as (part & is_a & A).

@@ -1,6 +1,5 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Certificates of layouts as docs/certificates.md has them, from the unit on. As with those of sums, nothing here need be
-   believed. *)
+(* Certificates of layouts as docs/certificates.md has them. As with those of sums, nothing here need be believed. *)
 open Words
 
 let region text region =
@@ -14,6 +13,7 @@ let part text number part =
   region text part
 
 let certificate container parts text =
+  Certificates.claim text "layout";
   let layout_unit = Certificates.unit_ text in
   expect text "container";
   Certificates.end_line text;

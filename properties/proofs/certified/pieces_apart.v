@@ -5,7 +5,7 @@
 From Coq Require Import QArith Lqa ZArith Lia Bool List Permutation.
 From Oplus Require Import specification checker direction rotation angular_crossings winding_number small_numbers
   signed_crossings neighbourhoods homogeneous_points fans pieces_cover edges_beside_sums sums_are_inside
-  edges_touch_at_most layout_checker.
+  inner_sums edges_touch_at_most layout_checker.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -31,35 +31,27 @@ Proof.
   apply (inside_is_as_far _ _ t); trivial. intros a A. rewrite dot_opposite_of. specialize (near a A). lra.
 Qed.
 
-Definition strictly_inside_piece (t : piece) (y : vector) : Prop := forall l, In l (side_lines t) -> 0 < value_at l y.
-
 (* A small step towards the inner point leads into the piece. *)
-Lemma strictly_inside_piece_near (t : piece) (x : vector) (radius : Q) : is_piece t -> inside_piece t x -> 0 < radius ->
-  exists y, within radius x y /\ strictly_inside_piece t y.
+Lemma strictly_in_near (t : piece) (x : vector) (radius : Q) : is_piece t -> inside_piece t x -> 0 < radius ->
+  exists y, within radius x y /\ strictly_in t y.
 Proof.
-  intros T in_ R. set (z := vector_of (inner t)).
+  intros [convex its] in_ R. set (z := vector_of (inner t)).
   destruct (some_small _ (eventually_and _ _ (small_steps_stay_within radius x (Vector (vx z - vx x) (vy z - vy x)) R)
     (eventually_below 1 ltac:(reflexivity)))) as (e & E & close & below).
-  exists (moved_along x (Vector (vx z - vx x) (vy z - vy x)) e). split; [exact close |]. intros l L.
-  assert (at_z : - inject_Z (lc l) < dot (normal_of l) z).
-  { apply inner_is_farther; [apply T | now apply (side_line_has_a_normal t); [apply T .. |] |].
-    intros a A. pose proof (corners_are_inside t a (proj1 T) A l L) as left_. rewrite value_at_is in left_. lra. }
-  pose proof (in_ l L) as at_x. rewrite value_at_is in *. unfold moved_along, dot in *. cbn [vx vy] in *. nra.
+  eexists. split; [exact close |]. intros l L. specialize (in_ l L).
+  pose proof (inner_is_strictly_in t convex its l L) as at_z. fold z in at_z.
+  unfold value_at, moved_along in *. cbn [vx vy] in *. nra.
 Qed.
 
 (* Pieces that are apart from it have no such points. *)
-Lemma strictly_inside_is_alone (t u : piece) (y : vector) : is_piece t -> is_piece u -> are_apart t u ->
-  strictly_inside_piece t y -> ~ inside_piece u y.
+Lemma strictly_in_alone (t u : piece) (y : vector) : is_piece t -> is_piece u -> are_apart t u -> strictly_in t y ->
+  ~ inside_piece u y.
 Proof.
-  intros T U (n & some & less) strictly in_u.
+  intros T U (n & some & less) strict in_u.
   assert (near : forall a, In a (corners_of t) -> dot n (vector_of a) <= dot n y)
     by (intros a A; apply (inside_is_as_far n _ u); [apply U .. | auto | exact in_u]).
-  assert (moved : forall l e, value_at l (moved_along y n e) == value_at l y + e * dot (normal_of l) n)
-    by (intros l e; unfold value_at, moved_along, dot, normal_of; cbn [vx vy]; ring).
-  destruct (some_small _ (eventually_for_all (fun l e => 0 < value_at l y + e * dot (normal_of l) n) (side_lines t)
-    (fun l L => eventually_positive _ _ (strictly l L)))) as (e & E & stays).
-  assert (in_t : inside_piece t (moved_along y n e)) by (intros l L; rewrite moved; now apply Qlt_le_weak, stays).
-  pose proof (inside_is_less_far n _ t _ T near in_t) as no_farther.
+  destruct (some_small _ (stays_strictly_in t y n strict)) as (e & E & stays).
+  pose proof (inside_is_less_far n _ t _ T near (strictly_in_is_inside t _ stays)) as no_farther.
   pose proof (square_positive n some). unfold moved_along, dot in *. cbn [vx vy] in *. nra.
 Qed.
 

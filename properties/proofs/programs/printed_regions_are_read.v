@@ -263,28 +263,38 @@ Proof.
     now rewrite rev_app_distr, <- app_assoc.
 Qed.
 
+(* Where keywords are read as these. *)
+Lemma regions_are_taken (line : Z) (p : stage) (r : so_far) (polygons : list (chain * list chain)) : polygons <> [] ->
+  Forall is_printable_polygon polygons ->
+  fold_left take_byte (bytes "POLYGON ") (taken_to line p r) = taken_to line (Contents Rings) r ->
+  fold_left take_byte (bytes "MULTIPOLYGON ") (taken_to line p r) = taken_to line (Contents Polygons) r ->
+  fold_left take_byte (printed_region polygons) (taken_to line p r) =
+    taken_to line Complete (SoFar (rev (flat_map chains_in polygons) ++ chains r) [] true (beside r)).
+Proof.
+  intros some printable single several. unfold printed_region.
+  destruct polygons as [| polygon [| q polygons]]; [easy | |]; rewrite fold_left_app.
+  - inversion_clear printable as [| ? ? printable_p _].
+    etransitivity; [exact (f_equal (fold_left take_byte (printed_polygon polygon)) single) |]. clear single several.
+    rewrite (polygons_are_taken line Rings (Contents Rings) polygon r); [| now right | now right | exact printable_p].
+    cbn [after_list flat_map]. now rewrite app_nil_r.
+  - etransitivity; [exact (f_equal (fold_left take_byte (printed_list printed_polygon (polygon :: q :: polygons))) several) |].
+    clear single several. unfold printed_list. cbn [fold_left]. rewrite symbols_are_taken by reflexivity.
+    change (go_on _ [opening_sign]) with (taken_to line (Opening Polygons Rings) r).
+    now rewrite lists_of_polygons_are_taken by trivial.
+Qed.
+
 (* Theorem. *)
 Theorem printed_regions_are_read (may_be_unbounded : bool) (polygons : list (chain * list chain)) :
   Forall is_printable_polygon polygons ->
   region_in may_be_unbounded (printed_polygons polygons) = inl (false, flat_map chains_in polygons).
 Proof.
-  intros printable. unfold region_in, printed_polygons. rewrite fold_left_app.
-  assert (complete : forall cs, at_end (take_byte (taken_to 1 Complete (SoFar cs [] true nothing_beside)) new_line) =
-    inl (false, rev cs))
+  intros printable. destruct polygons as [| p rest] eqn:these; [now destruct may_be_unbounded |].
+  rewrite <- these in *.
+  unfold region_in, printed_polygons. rewrite fold_left_app.
+  change (start may_be_unbounded) with (taken_to 1 (Start may_be_unbounded) (SoFar [] [] false nothing_beside)).
+  rewrite (regions_are_taken 1 (Start may_be_unbounded)); [| now rewrite these | exact printable | reflexivity ..].
+  assert (complete : forall cs, at_end (fold_left take_byte [new_line]
+    (taken_to 1 Complete (SoFar cs [] true nothing_beside))) = inl (false, rev cs))
     by (intros cs; now rewrite <- reversed_as_rev).
-  destruct polygons as [| p [| q polygons]].
-  - now destruct may_be_unbounded.
-  - inversion_clear printable as [| ? ? printable_p _]. rewrite fold_left_app.
-    replace (fold_left take_byte (bytes "POLYGON ") (start may_be_unbounded))
-      with (taken_to 1 (Contents Rings) (SoFar [] [] false nothing_beside)) by (now destruct may_be_unbounded).
-    rewrite (polygons_are_taken 1 Rings) by (trivial; now right || easy).
-    cbn [after_list chains beside fold_left]. rewrite complete.
-    cbn [flat_map]. now rewrite !app_nil_r, rev_involutive.
-  - rewrite fold_left_app.
-    replace (fold_left take_byte (bytes "MULTIPOLYGON ") (start may_be_unbounded))
-      with (taken_to 1 (Contents Polygons) (SoFar [] [] false nothing_beside)) by (now destruct may_be_unbounded).
-    unfold printed_list. cbn [fold_left]. rewrite symbols_are_taken by reflexivity.
-    change (go_on _ [opening_sign]) with (taken_to 1 (Opening Polygons Rings) (SoFar [] [] false nothing_beside)).
-    rewrite lists_of_polygons_are_taken by trivial. cbn [chains beside]. rewrite complete, app_nil_r.
-    now rewrite rev_involutive.
+  cbn [chains beside]. now rewrite app_nil_r, complete, rev_involutive.
 Qed.

@@ -1,7 +1,8 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Regions as the programs read them, from bytes: WKT, POLYGON, MULTIPOLYGON and EMPTY, and .dat (docs/files.md); and
-   sets that have edges and points of their own, a GEOMETRYCOLLECTION of a region, line strings and points. The reader goes from state to state, byte by byte, so a program need not hold a text as a whole, and can end at the
-   first error. That it reads what is printed as what it was is proved in printed_regions_are_read.v. *)
+   sets that have edges and points of their own, a GEOMETRYCOLLECTION of a region, line strings and points. The reader
+   goes from state to state, byte by byte, so a program need not hold a text as a whole, and can end at the first
+   error. That it reads what is printed as what it was is proved in printed_regions_are_read.v. *)
 From Coq Require Import QArith ZArith Bool List String Ascii.
 From Oplus Require Import specification.
 Import ListNotations.

@@ -153,7 +153,7 @@ def test_certificates_of_the_core_are_accepted(page, name):
     page.until(lambda: "open=1" in page.driver.current_url)
     check(page, "Accepted in ")
     assert page.text("certified").endswith(f" ms: {closed} is the closed sum of P and Q.")
-    assert page.value("certificate").startswith("oplus certificate 1\n")
+    assert page.value("certificate").startswith("oplus certificate 2\n")
 
 
 def test_false_certificates_are_refused(page):

@@ -34,7 +34,7 @@ def test_the_proved_checker_accepts_it(tmp_path, p_pieces, q_pieces):
     p, q = oplus.Region(union(p_pieces)), oplus.Region(union(q_pieces))
     found = oplus.minkowski_sum(p, q)
     certificate = oplus.certify(p, q, found)
-    assert checked(tmp_path, p, q, found, certificate) == "certified\n"
+    assert checked(tmp_path, p, q, found, certificate) == "certified: S is the Minkowski sum of P and Q\n"
     assert oplus.certify(p, q, found.region) == certificate
     larger = oplus.Region(found.region.scaled(2, 2))
     assert checked(tmp_path, p, q, larger, certificate).startswith("not certified: ")
