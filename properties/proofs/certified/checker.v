@@ -224,10 +224,15 @@ Section Unit.
 
   (** An edge of the sum has all sums of two pieces on one side of a line *)
 
+  (* Along the edge; if that is a point, the horizontal line through it. *)
+  Definition line_along (e : hedge) : line :=
+    let l := line_through (fst e) (snd e) in
+    if (la l =? 0) && (lb l =? 0) then Line 0 (Zpos (pw (fst e))) (- py (fst e)) else l.
+
   Record placed_edge := PlacedEdge { from : hpoint; to : hpoint; edge_box : bounding_box; edge_line : line }.
 
   Definition placed_hedge (e : hedge) : placed_edge :=
-    PlacedEdge (fst e) (snd e) (box_of_points (fst e) [snd e]) (line_through (fst e) (snd e)).
+    PlacedEdge (fst e) (snd e) (box_of_points (fst e) [snd e]) (line_along e).
 
   (* The box of the sum is beyond a side of the edge's box, or beyond the edge's line. *)
   Definition are_boxes_apart (e : placed_edge) (t u : bounding_box) : bool :=
@@ -362,9 +367,9 @@ Definition touch_at_most (D : positive) (es : list hedge) : bool :=
 
 Definition numbered := PositiveMap.t piece.
 
-Fixpoint numbers_from (n : positive) (pieces : list piece) : numbered :=
-  match pieces with
-  | [] => PositiveMap.empty piece
+Fixpoint numbers_from {A} (n : positive) (l : list A) : PositiveMap.t A :=
+  match l with
+  | [] => PositiveMap.empty A
   | t :: rest => PositiveMap.add n t (numbers_from (Pos.succ n) rest)
   end.
 
@@ -409,11 +414,6 @@ Definition hcrossing (x : hpoint) (e : hedge) : Z :=
 
 Definition hwinding (x : hpoint) (es : list hedge) : Z := fold_left (fun count e => count + hcrossing x e) es 0.
 
-(* The two ends of the edge are one point. *)
-Definition is_one_point (e : hedge) : bool :=
-  (px (fst e) * Zpos (pw (snd e)) =? px (snd e) * Zpos (pw (fst e))) &&
-  (py (fst e) * Zpos (pw (snd e)) =? py (snd e) * Zpos (pw (fst e))).
-
 (* A piece of the tree contains x, of which this is the box. *)
 Fixpoint is_in_tree (x : hpoint) (b : bounding_box) (t : tree) : bool :=
   let c := box_of t in
@@ -423,9 +423,9 @@ Fixpoint is_in_tree (x : hpoint) (b : bounding_box) (t : tree) : bool :=
   | Node _ one other => is_in_tree x b one || is_in_tree x b other
   end.
 
-(* By a piece of s that contains it; if edges of s are points, that does not suffice. Otherwise by its winding number. *)
-Definition is_in_region (D : positive) (es : list hedge) (is_simple : bool) (s_trees : list tree) (x : hpoint) : bool :=
-  is_simple && existsb (is_in_tree x (box_of_point D x)) s_trees || negb (hwinding x es =? 0).
+(* By a piece of s that contains it, otherwise by its winding number. *)
+Definition is_in_region (D : positive) (es : list hedge) (s_trees : list tree) (x : hpoint) : bool :=
+  existsb (is_in_tree x (box_of_point D x)) s_trees || negb (hwinding x es =? 0).
 
 Definition are_roots_inside (is_in_s : hpoint -> bool) (p q : numbered) (p_roots q_roots : list positive) : bool :=
   forallb (fun i => forallb (fun j =>
@@ -483,22 +483,145 @@ Definition first_moved_last (v : polygon) : polygon := match v with [] => [] | f
 Fixpoint some_corner_has_a_fan (tries : nat) (v : polygon) : bool :=
   has_a_fan v || match tries with O => false | S fewer => some_corner_has_a_fan fewer (first_moved_last v) end.
 
+(** Seams: of an open sum, also what is on cuts and between pieces is a sum, or left out *)
+
+(* Both have common points, and the middle of all corners of what they have in common is inside both. *)
+Definition common_corners (t u : piece) (x : hpoint) : polygon :=
+  filter (fun a => is_in_piece u (hminus x a)) (corners_of t) ++
+  filter (is_in_piece t) (map (hminus x) (corners_of u)) ++
+  flat_map (fun s => flat_map (fun r =>
+    let c := hminus x (fst r) in
+    let d := hminus x (snd r) in
+    if do_cross (fst s) (snd s) c d then [meet (fst s) (snd s) (left_turn c d (fst s)) (left_turn c d (snd s))] else [])
+    (sides (corners_of u))) (sides (corners_of t)).
+
+Definition is_strictly_in (t : piece) (x : hpoint) : bool := forallb (fun l => 0 <? value l x) (side_lines t).
+
+(* x is a sum of a point inside t and one inside u. *)
+Definition is_inner_sum (t u : piece) (x : hpoint) : bool :=
+  match common_corners t u x with
+  | [] => false
+  | first :: rest =>
+    let s := fold_left hplus rest first in
+    let middle := Hpoint (px s) (py s) (Pos.of_succ_nat (length rest) * pw s) in
+    is_strictly_in t middle && is_strictly_in u (hminus x middle)
+  end.
+
+(* In the sum of the insides of two pieces, on a dangling edge, or at an isolated point. *)
+Inductive position :=
+| InSum (i j : positive)
+| OnEdge (k : positive)
+| AtPoint (k : positive).
+
+(* From one point to another: what is between the first two; and each point in between, where it is, and what is between
+   it and the next. *)
+Record seam := Seam { beginning : position; later : list (hpoint * position * position) }.
+
+Section Seams.
+  Variables (p q : numbered) (edges : PositiveMap.t hedge) (points : PositiveMap.t hpoint).
+
+  Definition is_on_edge (k : positive) (x : hpoint) : bool :=
+    match PositiveMap.find k edges with Some e => is_between (fst e) x (snd e) | None => false end.
+
+  (* What is strictly between a and b, both on the line: if they are sums, and some sums are strictly to the left of the
+     line and some to the right, what is between a and b is inside all these. *)
+  Definition is_interval_in (l : line) (a b : hpoint) (c : position) : bool :=
+    match c with
+    | InSum i j =>
+      match PositiveMap.find i p, PositiveMap.find j q with
+      | Some t, Some u =>
+        negb (are_all_sums (fun s => 0 <=? value l s) t u) && negb (are_all_sums (fun s => value l s <=? 0) t u) &&
+        is_sum_of_both t u a && is_sum_of_both t u b
+      | _, _ => false
+      end
+    | OnEdge k => is_on_edge k a && is_on_edge k b
+    | AtPoint _ => false
+    end.
+
+  Definition is_point_in (x : hpoint) (c : position) : bool :=
+    match c with
+    | InSum i j =>
+      match PositiveMap.find i p, PositiveMap.find j q with
+      | Some t, Some u => is_inner_sum t u x
+      | _, _ => false
+      end
+    | OnEdge k => is_on_edge k x
+    | AtPoint k => match PositiveMap.find k points with Some v => is_between v x v | None => false end
+    end.
+
+  Fixpoint is_seam (l : line) (a b : hpoint) (c : position) (others : list (hpoint * position * position)) : bool :=
+    match others with
+    | [] => is_interval_in l a b c
+    | (x, of_x, next) :: rest =>
+      (value l x =? 0) && is_interval_in l a x c && is_point_in x of_x && is_seam l x b next rest
+    end.
+
+  (* v is what is on the left of a cut: from where its sides come to the line to where they leave it. *)
+  Definition is_seam_of_cut (l : line) (v : polygon) (s : option seam) : bool :=
+    match s, find (fun e => (0 <? value l (fst e)) && (value l (snd e) =? 0)) (sides v),
+      find (fun e => (value l (fst e) =? 0) && (0 <? value l (snd e))) (sides v) with
+    | Some s, Some e, Some f =>
+      (0 <? left_turn (fst e) (snd e) (fst f)) && (0 <? left_turn (fst f) (snd f) (snd e)) &&
+      is_seam l (snd e) (fst f) (beginning s) (later s)
+    | _, _, _ => false
+    end.
+
+  Definition is_seam_of_edge (d : hedge * seam) : bool :=
+    let (a, b) := fst d in
+    is_seam (line_through a b) a b (beginning (snd d)) (later (snd d)).
+End Seams.
+
+(* Sorted entries: each edge is one of the region. *)
+Fixpoint are_of_region (e : entry) (found : bool) (rest : list entry) : bool :=
+  match rest with
+  | [] => found
+  | f :: more =>
+    if same_hpoint (low e) (low f) && same_hpoint (high e) (high f)
+    then are_of_region f (found || of_region f) more
+    else found && are_of_region f (of_region f) more
+  end.
+
+(* Each side of a piece is part of an edge or one of the diagonals. *)
+Definition have_all_sides (es : list hedge) (inserted : list (list hpoint)) (pieces : list piece)
+  (diagonals : list hedge) : bool :=
+  let parts := flat_map (fun s => split_edge (fst (fst s)) (snd (fst s)) (snd s)) (with_inserted es inserted) in
+  let entries :=
+    map (entry_of true) (parts ++ diagonals) ++
+    map (entry_of false) (flat_map (fun t => sides (corners_of t)) pieces) in
+  match Sorted.sort entries with
+  | [] => true
+  | e :: rest => are_of_region e (of_region e) rest
+  end.
+
+(* Ends of diagonals are vertices, and points that are put into edges. *)
+Definition diagonals_of (es : list hedge) (inserted : list (list hpoint)) (seams : list (positive * positive * seam)) :
+  list (hedge * seam) :=
+  let vertices := numbers_from 1 (map fst es ++ flat_map snd (with_inserted es inserted)) in
+  flat_map (fun d =>
+    match PositiveMap.find (fst (fst d)) vertices, PositiveMap.find (snd (fst d)) vertices with
+    | Some a, Some b => [((a, b), snd d)]
+    | _, _ => []
+    end) seams.
+
+(** Cells *)
+
+(* A cut of an open sum has a seam. *)
 Inductive cells :=
 | SumsOf (i j : positive)
-| Cut (l : line) (one other : cells).
+| Cut (l : line) (along : option seam) (one other : cells).
 
-Fixpoint are_sums (p q : numbered) (v : polygon) (c : cells) : bool :=
+Fixpoint are_sums (is_seam : line -> polygon -> option seam -> bool) (p q : numbered) (v : polygon) (c : cells) : bool :=
   match c with
   | SumsOf i j =>
     match PositiveMap.find i p, PositiveMap.find j q with
     | Some t, Some u => some_corner_has_a_fan (length v) v && forallb (is_sum_of_both t u) v
     | _, _ => false
     end
-  | Cut l one other =>
+  | Cut l along one other =>
     let v1 := clipped l v in
     let v2 := clipped (opposite_line l) v in
-    forallb (is_ahead l) (sides v1) && forallb (is_ahead (opposite_line l)) (sides v2) &&
-    are_sums p q v1 one && are_sums p q v2 other
+    forallb (is_ahead l) (sides v1) && forallb (is_ahead (opposite_line l)) (sides v2) && is_seam l v1 along &&
+    are_sums is_seam p q v1 one && are_sums is_seam p q v2 other
   end.
 
 (** The whole *)
@@ -515,7 +638,8 @@ Record certificate := Certificate {
   of_p : summand_certificate;
   of_q : summand_certificate;
   sum_inserted : list (list hpoint);
-  sum_pieces : list (polygon * cells)
+  sum_pieces : list (polygon * cells);
+  seams : list (positive * positive * seam) (* of an open sum: each diagonal, by the numbers of its ends *)
 }.
 
 (* Where a certificate fails. *)
@@ -523,8 +647,10 @@ Inductive refusal :=
 | PiecesOfP | PiecesOfQ | PiecesOfS (* are not convex, or not the region *)
 | LinksOfP | LinksOfQ (* do not reach all pieces *)
 | RootOutside (* a sum of two inner points of pieces is not in s *)
-| EdgeInside (n : N) (* edge number n of s is not beside the sum of two pieces *)
+| EdgeInside (n : N) (* edge number n of s, dangling edge or point after these, is not beside the sum of two pieces *)
 | CellOutside (n : N) (* piece number n of s is not made of sums *)
+| DiagonalsOfS (* have no seams *)
+| SeamOutside (n : N) (* seam number n is not one *)
 | EdgesOfP | EdgesOfQ | EdgesOfS. (* cross or overlap *)
 
 (* The number of the first that fails. *)
@@ -534,23 +660,33 @@ Fixpoint first_failure {A} (test : A -> bool) (n : N) (l : list A) : option N :=
   | a :: rest => if test a then first_failure test (N.succ n) rest else Some n
   end.
 
-Definition check (p q s : polygonal_region) (c : certificate) : option refusal :=
+Definition hedge_of (e : edge) : hedge := (homogeneous (fst e), homogeneous (snd e)).
+
+(* An open sum is without its edges and points; a closed one has none. *)
+Definition check (is_open : bool) (p q : polygonal_region) (s : open_region) (c : certificate) : option refusal :=
   let p_pieces := map piece_of (summand_pieces (of_p c)) in
   let q_pieces := map piece_of (summand_pieces (of_q c)) in
   let p_edges := hedges_of_region p in
   let q_edges := hedges_of_region q in
-  let s_edges := hedges_of_region s in
+  let s_edges := hedges_of_region (open_chains s) in
   let s_pieces := map (fun d => piece_of (fst d)) (sum_pieces c) in
+  let dangling := map hedge_of (dangling_edges s) in
+  let isolated := map homogeneous (isolated_points s) in
   let p_numbered := numbers_from 1 p_pieces in
   let q_numbered := numbers_from 1 q_pieces in
+  let edges := numbers_from 1 dangling in
+  let points := numbers_from 1 isolated in
+  let is_seam_of_its_cut :=
+    if is_open then is_seam_of_cut p_numbered q_numbered edges points else fun _ _ _ => true in
+  let diagonals := if is_open then diagonals_of s_edges (sum_inserted c) (seams c) else [] in
   if negb (are_a_region p_edges (summand_inserted (of_p c)) p_pieces) then Some PiecesOfP
   else if negb (are_a_region q_edges (summand_inserted (of_q c)) q_pieces) then Some PiecesOfQ
   else if negb (are_a_region s_edges (sum_inserted c) s_pieces) then Some PiecesOfS
+  else if is_open && negb (have_all_sides s_edges (sum_inserted c) s_pieces (map fst diagonals)) then Some DiagonalsOfS
   else if negb (are_all_reached p_numbered (all_reached p_numbered (roots (of_p c)) (links (of_p c)))) then Some LinksOfP
   else if negb (are_all_reached q_numbered (all_reached q_numbered (roots (of_q c)) (links (of_q c)))) then Some LinksOfQ
   else if negb (are_roots_inside
-      (is_in_region (unit c) s_edges (forallb (fun e => negb (is_one_point e)) s_edges) (trees_of (unit c) s_pieces))
-      p_numbered q_numbered (roots (of_p c)) (roots (of_q c))) then Some RootOutside
+      (is_in_region (unit c) s_edges (trees_of (unit c) s_pieces)) p_numbered q_numbered (roots (of_p c)) (roots (of_q c))) then Some RootOutside
   else
     let D := unit c in
     let p_trees := trees_of D p_pieces in
@@ -558,17 +694,25 @@ Definition check (p q s : polygonal_region) (c : certificate) : option refusal :
     let beside e :=
       let placed_e := placed_hedge D e in
       forallb (fun t => forallb (are_trees_apart D placed_e t) q_trees) p_trees in
-    match first_failure beside 0 s_edges with
+    match first_failure beside 0 (s_edges ++ dangling ++ map (fun v => (v, v)) isolated) with
     | Some n => Some (EdgeInside n)
     | None =>
-      match first_failure (fun s => are_sums p_numbered q_numbered (fst s) (snd s)) 0 (sum_pieces c) with
+      match first_failure (fun s => are_sums is_seam_of_its_cut p_numbered q_numbered (fst s) (snd s)) 0 (sum_pieces c) with
       | Some n => Some (CellOutside n)
       | None =>
-        if negb (touch_at_most D p_edges) then Some EdgesOfP
-        else if negb (touch_at_most D q_edges) then Some EdgesOfQ
-        else if negb (touch_at_most D s_edges) then Some EdgesOfS
-        else None
+        match first_failure (is_seam_of_edge p_numbered q_numbered edges points) 0 diagonals with
+        | Some n => Some (SeamOutside n)
+        | None =>
+          if negb (touch_at_most D p_edges) then Some EdgesOfP
+          else if negb (touch_at_most D q_edges) then Some EdgesOfQ
+          else if negb (touch_at_most D s_edges) then Some EdgesOfS
+          else None
+        end
       end
     end.
 
-Definition accepts (p q s : polygonal_region) (c : certificate) : bool := match check p q s c with None => true | Some _ => false end.
+Definition accepts (p q s : polygonal_region) (c : certificate) : bool :=
+  match check false p q (OpenRegion s [] []) c with None => true | Some _ => false end.
+
+Definition accepts_open (p q : polygonal_region) (s : open_region) (c : certificate) : bool :=
+  match check true p q s c with None => true | Some _ => false end.

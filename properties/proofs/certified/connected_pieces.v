@@ -6,11 +6,11 @@ From Coq Require Import QArith ZArith Lia Bool List FMapPositive.
 From Oplus Require Import specification checker.
 Import ListNotations.
 
-Lemma find_added (n m : positive) (t : piece) (pieces : numbered) :
+Lemma find_added {A} (n m : positive) (t : A) (pieces : PositiveMap.t A) :
   PositiveMap.find m (PositiveMap.add n t pieces) = if Pos.eqb m n then Some t else PositiveMap.find m pieces.
 Proof. destruct (Pos.eqb_spec m n) as [-> |]; [apply PositiveMap.gss | now apply PositiveMap.gso]. Qed.
 
-Lemma numbers_are_from (pieces : list piece) : forall n i t,
+Lemma numbers_are_from {A} (pieces : list A) : forall n i t,
   PositiveMap.find i (numbers_from n pieces) = Some t -> (n <= i)%positive /\ In t pieces.
 Proof.
   induction pieces as [| u rest IH]; intros n i t; cbn [numbers_from].

@@ -42,6 +42,21 @@ Proof. rewrite value_of_line_through. unfold turn_of. ring. Qed.
 Lemma value_at_second (p q : hpoint) : value_at (line_through p q) (vector_of q) == 0.
 Proof. rewrite value_of_line_through. unfold turn_of. ring. Qed.
 
+(* The line along an edge is one, and both ends are on it. *)
+Lemma line_along_is (e : hedge) : nonzero (normal_of (line_along e)) /\
+  value_at (line_along e) (vector_of (fst e)) == 0 /\ value_at (line_along e) (vector_of (snd e)) == 0.
+Proof.
+  unfold line_along.
+  destruct (Z.eqb_spec (la (line_through (fst e) (snd e))) 0) as [x_is |]; cbn [andb];
+    [destruct (Z.eqb_spec (lb (line_through (fst e) (snd e))) 0) as [y_is |] |].
+  - cbn [la lb lc line_through] in x_is, y_is. rewrite <- !value_zero. unfold nonzero, normal_of, value, Qeq, inject_Z.
+    cbn [vx vy la lb lc Qnum Qden]. lia.
+  - split; [| split; [apply value_at_first | apply value_at_second]].
+    unfold nonzero, normal_of, Qeq, inject_Z. cbn [vx vy Qnum Qden]. lia.
+  - split; [| split; [apply value_at_first | apply value_at_second]].
+    unfold nonzero, normal_of, Qeq, inject_Z. cbn [vx vy Qnum Qden]. lia.
+Qed.
+
 (* A left turn has no two equal corners. *)
 Lemma left_turn_is_proper (a b c : hpoint) : (0 < left_turn a b c)%Z ->
   ~ equal_vectors (vector_of a) (vector_of b) /\ ~ equal_vectors (vector_of b) (vector_of c) /\
@@ -100,17 +115,16 @@ Qed.
 (* Both ends are on the edge's line: it is enough that all sums are on one side of it. *)
 Section Line.
   Variables (e : hedge) (t u : piece).
-  Hypothesis proper_edge : ~ equal_vectors (vector_of (fst e)) (vector_of (snd e)).
 
-  Let l : line := line_through (fst e) (snd e).
+  Let l : line := line_along e.
 
   Lemma beside_if_left :
     (forall a b, In a (corners_of t) -> In b (corners_of u) -> 0 <= value_at l (added (vector_of a) (vector_of b))) ->
     are_beside e t u.
   Proof.
-    intros left_. exists (normal_of l). split; [now apply line_has_a_normal |]. intros a b A B.
+    intros left_. destruct (line_along_is e) as (some & first & second). exists (normal_of l).
+    split; [exact some |]. intros a b A B.
     specialize (left_ a b A B). rewrite value_at_is in left_.
-    pose proof (value_at_first (fst e) (snd e)) as first. pose proof (value_at_second (fst e) (snd e)) as second.
     fold l in first, second. rewrite value_at_is in first, second. lra.
   Qed.
 
@@ -118,10 +132,10 @@ Section Line.
     (forall a b, In a (corners_of t) -> In b (corners_of u) -> value_at l (added (vector_of a) (vector_of b)) <= 0) ->
     are_beside e t u.
   Proof.
-    intros right_. exists (opposite_of (normal_of l)). split; [now apply opposite_is_nonzero, line_has_a_normal |].
+    intros right_. destruct (line_along_is e) as (some & first & second). exists (opposite_of (normal_of l)).
+    split; [now apply opposite_is_nonzero |].
     intros a b A B. rewrite !dot_opposite_of.
     specialize (right_ a b A B). rewrite value_at_is in right_.
-    pose proof (value_at_first (fst e) (snd e)) as first. pose proof (value_at_second (fst e) (snd e)) as second.
     fold l in first, second. rewrite value_at_is in first, second. lra.
   Qed.
 End Line.
@@ -151,16 +165,15 @@ Proof.
 Qed.
 
 Lemma beside_if_pieces_are_apart (D : positive) (e : hedge) (t u : piece) :
-  ~ equal_vectors (vector_of (fst e)) (vector_of (snd e)) ->
   is_convex t = true -> t = piece_of (corners_of t) -> is_convex u = true -> u = piece_of (corners_of u) ->
   are_pieces_apart (placed_hedge D e) t u = true -> are_beside e t u.
 Proof.
-  intros proper_edge t_convex t_lines u_convex u_lines apart. unfold are_pieces_apart in apart.
+  intros t_convex t_lines u_convex u_lines apart. unfold are_pieces_apart in apart.
   rewrite !orb_true_iff in apart. destruct apart as [[[left_ | right_] | beyond] | beyond].
-  - apply beside_if_left; [exact proper_edge |]. intros a b A B. pose proof (all_sums _ t u left_ a b A B) as sign.
+  - apply beside_if_left. intros a b A B. pose proof (all_sums _ t u left_ a b A B) as sign.
     cbv beta in sign. apply Z.leb_le, value_not_negative in sign.
     now rewrite (value_at_of_equal _ _ _ (vector_of_plus a b)) in sign.
-  - apply beside_if_right; [exact proper_edge |]. intros a b A B. pose proof (all_sums _ t u right_ a b A B) as sign.
+  - apply beside_if_right. intros a b A B. pose proof (all_sums _ t u right_ a b A B) as sign.
     cbv beta in sign. apply Z.leb_le, value_not_positive in sign.
     now rewrite (value_at_of_equal _ _ _ (vector_of_plus a b)) in sign.
   - now apply (beside_if_beyond_a_side D).
@@ -327,11 +340,10 @@ Section Boxes.
   Proof. apply Qmult_le_r. reflexivity. Qed.
 
   Lemma beside_if_boxes_are_apart (e : hedge) (t u : piece) (b c : bounding_box) :
-    ~ equal_vectors (vector_of (fst e)) (vector_of (snd e)) ->
     (forall a, In a (corners_of t) -> in_box b (vector_of a)) -> (forall a, In a (corners_of u) -> in_box c (vector_of a)) ->
     are_boxes_apart D (placed_hedge D e) b c = true -> are_beside e t u.
   Proof.
-    intros proper_edge t_in u_in apart.
+    intros t_in u_in apart.
     assert (range : forall a a', In a (corners_of t) -> In a' (corners_of u) ->
       (inject_Z (x_low b + x_low c) <= (vx (vector_of a) + vx (vector_of a')) * unit_ <= inject_Z (x_high b + x_high c)) /\
       (inject_Z (y_low b + y_low c) <= (vy (vector_of a) + vy (vector_of a')) * unit_ <= inject_Z (y_high b + y_high c))).
@@ -339,7 +351,7 @@ Section Boxes.
     pose proof (in_box_of_points (fst e) [snd e] (fst e) (or_introl eq_refl)) as [first_x first_y].
     pose proof (in_box_of_points (fst e) [snd e] (snd e) (or_intror (or_introl eq_refl))) as [second_x second_y].
     unfold are_boxes_apart in apart. cbn [edge_box edge_line placed_hedge] in apart.
-    set (f := box_of_points D (fst e) [snd e]) in *. set (l := line_through (fst e) (snd e)) in *.
+    set (f := box_of_points D (fst e) [snd e]) in *. set (l := line_along e) in *.
     set (x0 := (x_low b + x_low c)%Z) in *. set (x1 := (x_high b + x_high c)%Z) in *.
     set (y0 := (y_low b + y_low c)%Z) in *. set (y1 := (y_high b + y_high c)%Z) in *.
     rewrite !orb_true_iff, !Z.leb_le in apart.
@@ -361,11 +373,11 @@ Section Boxes.
       rewrite Zle_Qle in apart. unfold dot, added. cbn [vx vy]. split; lra.
     - apply (by_direction (Vector 0 (-1))); [now intros [? ?] |]. intros a a' A A'. destruct (range a a' A A') as [X Y].
       rewrite Zle_Qle in apart. unfold dot, added. cbn [vx vy]. split; lra.
-    - apply beside_if_left; [exact proper_edge |]. intros a a' A A'. destruct (range a a' A A') as [X Y].
+    - apply beside_if_left. intros a a' A A'. destruct (range a a' A A') as [X Y].
       apply no_more_in_units. fold l. rewrite in_units.
       pose proof (least_multiple (la l) _ _ _ X). pose proof (least_multiple (lb l) _ _ _ Y).
       rewrite Zle_Qle, !inject_Z_plus in apart. change (inject_Z 0) with 0 in apart. lra.
-    - apply beside_if_right; [exact proper_edge |]. intros a a' A A'. destruct (range a a' A A') as [X Y].
+    - apply beside_if_right. intros a a' A A'. destruct (range a a' A A') as [X Y].
       apply no_more_in_units. fold l. rewrite in_units.
       pose proof (greatest_multiple (la l) _ _ _ X). pose proof (greatest_multiple (lb l) _ _ _ Y).
       rewrite Zle_Qle, !inject_Z_plus in apart. change (inject_Z 0) with 0 in apart. lra.
@@ -384,18 +396,16 @@ Section Boxes.
   Proof. destruct t, u; reflexivity. Qed.
 
   (* Theorem. If the search of two trees succeeds for an edge, it is beside all sums of pieces of the one and the other. *)
-  Theorem search_finds_directions (e : hedge) : ~ equal_vectors (vector_of (fst e)) (vector_of (snd e)) ->
-    forall t u : tree,
+  Theorem search_finds_directions (e : hedge) : forall t u : tree,
     (forall a, In a (pieces_in t) -> is_convex a = true /\ a = piece_of (corners_of a)) ->
     (forall b, In b (pieces_in u) -> is_convex b = true /\ b = piece_of (corners_of b)) ->
     is_well_boxed t -> is_well_boxed u -> are_trees_apart D (placed_hedge D e) t u = true ->
     forall a b, In a (pieces_in t) -> In b (pieces_in u) -> are_beside e a b.
   Proof.
-    intros proper_edge.
     induction t as [tb ta | tb t1 IH1 t2 IH2]; induction u as [ub ua | ub u1 IHu1 u2 IHu2];
       intros t_convex u_convex t_boxed u_boxed apart a b A B; rewrite are_apart_is in apart;
       apply orb_true_iff in apart; (destruct apart as [apart | apart];
-      [eapply beside_if_boxes_are_apart with (b := box_of _) (c := box_of _); [exact proper_edge | | | exact apart];
+      [eapply beside_if_boxes_are_apart with (b := box_of _) (c := box_of _); [| | exact apart];
         intros x X; [exact (well_boxed_has _ t_boxed a x A X) | exact (well_boxed_has _ u_boxed b x B X)] |]).
     - destruct A as [<- | []], B as [<- | []]. destruct (t_convex ta (or_introl eq_refl)), (u_convex ua (or_introl eq_refl)).
       now apply (beside_if_pieces_are_apart D).

@@ -41,6 +41,13 @@ Proof.
   rewrite <- x1, <- x2, <- a1, <- a2, <- b1, <- b2. tauto.
 Qed.
 
+(* What is between two points of a segment is on it. *)
+Lemma common_part (s : segment) (v w y : vector) : lies_on v s -> lies_on w s -> lies_on y (Segment v w) -> lies_on y s.
+Proof.
+  intros (k & k_range & kx & ky) (l & l_range & lx & ly) (t & t_range & tx & ty). cbn [source target] in *.
+  exists ((1 - t) * k + t * l). split; [nra | rewrite tx, ty, kx, ky, lx, ly; split; ring].
+Qed.
+
 Lemma at_most_is (a b : Q) : at_most a b = Qle_bool a b.
 Proof.
   unfold at_most. destruct (Qle_bool a b) eqn:order_.
@@ -115,6 +122,16 @@ Proof.
     apply in_map_iff. now exists e.
   - apply in_map_iff in there. destruct there as (edge_ & <- & there). exists edge_. split; [exact there |].
     now apply is_on_is.
+Qed.
+
+(* The same of what is inside and not on the boundary. *)
+Lemma inner_point_by_boundary (x : point) (r : polygonal_region) : is_inner_point x r <->
+  winding_number (as_vector x) (boundary r) <> 0%Z /\ off (as_vector x) (boundary r).
+Proof.
+  unfold is_inner_point. rewrite winding_number_is. unfold boundary, hedges_of_region. rewrite map_map.
+  split; intros [round free]; (split; [exact round |]).
+  - intros s S on. apply in_map_iff in S. destruct S as (e & <- & E). now apply (free e E), is_on_is.
+  - intros e E on. apply is_on_is in on. refine (free _ _ on). apply in_map_iff. now exists e.
 Qed.
 
 (* What the checker computes. *)

@@ -3,84 +3,14 @@
    (checker.v) accepts. Each edge of S is beside all sums of two pieces (edges_beside_sums.v), so it meets the way from
    such a sum to that of two points inside the pieces at most where it begins: along the way the winding number is the
    same. So it is the same for any two pieces of P with a common corner, for all of P by the links
-   (connected_pieces.v), and likewise for Q; and for the roots it is not 0. Edges that are points do not count. *)
+   (connected_pieces.v), and likewise for Q; and for the roots it is not 0. *)
 From Coq Require Import QArith Lqa Qfield ZArith Lia Bool List Permutation SetoidList SetoidPermutation.
 From Oplus Require Import turning_number specification checker direction angular_crossings winding_number signed_crossings
   neighbourhoods meeting_of_segments homogeneous_points specification_bridge fans pieces_cover edges_beside_sums
-  connected_pieces.
+  connected_pieces what_is_checked.
 Import ListNotations.
 
 Open Scope Q_scope.
-
-(** Edges that are points *)
-
-Definition is_a_point (s : segment) : bool :=
-  Qeq_bool (vx (source s)) (vx (target s)) && Qeq_bool (vy (source s)) (vy (target s)).
-
-Lemma is_a_point_spec (s : segment) : is_a_point s = true <-> equal_vectors (source s) (target s).
-Proof. unfold is_a_point, equal_vectors. now rewrite andb_true_iff, !Qeq_bool_iff. Qed.
-
-Definition proper_ones (segments : list segment) : list segment := filter (fun s => negb (is_a_point s)) segments.
-
-Lemma point_is_not_crossed (x : vector) (s : segment) : is_a_point s = true -> signed_crossing x s = 0%Z.
-Proof.
-  rewrite is_a_point_spec. intros [_ y_is]. unfold signed_crossing, ray_crossing.
-  replace (at_most (vy (source s)) (vy x)) with (at_most (vy (target s)) (vy x))
-    by (unfold at_most; now rewrite y_is).
-  now rewrite Bool.eqb_reflx.
-Qed.
-
-Lemma winding_number_of_proper_ones (x : vector) (segments : list segment) :
-  winding_number x (proper_ones segments) = winding_number x segments.
-Proof.
-  unfold winding_number, sum, proper_ones. induction segments as [| s rest IH]; [reflexivity |]. cbn [filter map fold_right].
-  destruct (is_a_point s) eqn:point; cbn [negb map fold_right]; rewrite IH; [| reflexivity].
-  now rewrite (point_is_not_crossed x s point).
-Qed.
-
-(* One way of writing each vector. *)
-Definition normalized (v : vector) : vector := Vector (Qred (vx v)) (Qred (vy v)).
-
-Lemma normalized_is (v : vector) : equal_vectors (normalized v) v.
-Proof. split; apply Qred_correct. Qed.
-
-Lemma normalized_of_equal (u v : vector) : equal_vectors u v -> normalized u = normalized v.
-Proof. intros [x_is y_is]. unfold normalized. now rewrite (Qred_complete _ _ x_is), (Qred_complete _ _ y_is). Qed.
-
-Lemma normalized_permuted (us vs : list vector) :
-  PermutationA equal_vectors us vs -> Permutation (map normalized us) (map normalized vs).
-Proof.
-  intros permuted. induction permuted as [| u v us vs equal_ _ IH | | us vs ws _ IH _ IH']; cbn [map].
-  - constructor.
-  - rewrite (normalized_of_equal _ _ equal_). now constructor.
-  - constructor.
-  - etransitivity; eassumption.
-Qed.
-
-Lemma permuted_if_normalized (us vs : list vector) :
-  Permutation (map normalized us) (map normalized vs) -> PermutationA equal_vectors us vs.
-Proof.
-  assert (all : forall ws, PermutationA equal_vectors (map normalized ws) ws).
-  { induction ws as [| w ws IH]; cbn [map]; [constructor |]. constructor; [apply normalized_is | exact IH]. }
-  intros permuted. transitivity (map normalized us); [symmetry; apply all |].
-  transitivity (map normalized vs); [now apply permuted_vectors | apply all].
-Qed.
-
-Lemma proper_ones_cycles (segments : list segment) : cycles segments -> cycles (proper_ones segments).
-Proof.
-  intros closed. apply permuted_if_normalized. apply normalized_permuted in closed. rewrite !map_map in *.
-  assert (kept_ones : forall l more others,
-    Permutation (more ++ map (fun s => normalized (source s)) l) (others ++ map (fun s => normalized (target s)) l) ->
-    Permutation (more ++ map (fun s => normalized (source s)) (proper_ones l))
-      (others ++ map (fun s => normalized (target s)) (proper_ones l))).
-  { induction l as [| s l IH]; intros more others permuted; [exact permuted |]. cbn [proper_ones filter].
-    destruct (is_a_point s) eqn:point; cbn [negb].
-    - apply IH. cbn [map] in permuted. apply is_a_point_spec in point. rewrite (normalized_of_equal _ _ point) in permuted.
-      now apply Permutation_app_inv in permuted.
-    - cbn [map] in *. specialize (IH (more ++ [normalized (source s)]) (others ++ [normalized (target s)])).
-      rewrite <- !app_assoc in IH. now apply IH. }
-  now apply (kept_ones segments [] []).
-Qed.
 
 (** Points inside a piece *)
 
@@ -178,8 +108,7 @@ Section Beside.
   Hypothesis closed : cycles segments.
   Hypothesis p_convex : forall t, In t p -> is_convex t = true /\ t = piece_of (corners_of t).
   Hypothesis q_convex : forall u, In u q -> is_convex u = true /\ u = piece_of (corners_of u).
-  Hypothesis beside : forall e t u, In e es -> ~ equal_vectors (vector_of (fst e)) (vector_of (snd e)) ->
-    In t p -> In u q -> are_beside e t u.
+  Hypothesis beside : forall e t u, In e es -> In t p -> In u q -> are_beside e t u.
 
   Definition inner_sum (t u : piece) : vector := added (vector_of (inner t)) (vector_of (inner u)).
 
@@ -196,24 +125,16 @@ Section Beside.
     rewrite dot_added in far. lra.
   Qed.
 
-  Lemma proper_edge (s : segment) : In s (proper_ones segments) ->
-    exists e, s = segment_of_hedge e /\ In e es /\ ~ equal_vectors (vector_of (fst e)) (vector_of (snd e)).
-  Proof.
-    unfold proper_ones, segments. rewrite filter_In, in_map_iff. intros [(e & <- & E) proper_]. exists e.
-    repeat split; trivial. intros equal_. apply (is_a_point_spec (segment_of_hedge e)) in equal_. now rewrite equal_ in proper_.
-  Qed.
-
   (* From a point that is not before any edge to the inner sum the winding number is the same. *)
-  Lemma winding_number_on_the_way (y : vector) (t u : piece) : In t p -> In u q -> off y (proper_ones segments) ->
+  Lemma winding_number_on_the_way (y : vector) (t u : piece) : In t p -> In u q -> off y segments ->
     (forall n e, nonzero n -> is_beside n e t u ->
       dot n (vector_of (fst e)) <= dot n y /\ dot n (vector_of (snd e)) <= dot n y) ->
     winding_number y segments = winding_number (inner_sum t u) segments.
   Proof.
     intros T U free not_before.
-    rewrite <- (winding_number_of_proper_ones y), <- (winding_number_of_proper_ones (inner_sum t u)).
-    apply (winding_number_along (Segment y (inner_sum t u)) (proper_ones segments)); [now apply proper_ones_cycles |].
-    intros w on s S. pose proof (free s S) as s_free. apply proper_edge in S. destruct S as (e & -> & E & proper_e).
-    destruct (beside e t u E proper_e T U) as (n & some & sides_). destruct (not_before n e some sides_) as [first second].
+    apply (winding_number_along (Segment y (inner_sum t u)) segments); [exact closed |].
+    intros w on s S. pose proof (free s S) as s_free. apply in_map_iff in S. destruct S as (e & <- & E).
+    destruct (beside e t u E T U) as (n & some & sides_). destruct (not_before n e some sides_) as [first second].
     apply (way_beside_an_edge n y (inner_sum t u)); cbn [source target segment_of_hedge]; trivial.
     - apply inner_sum_is_farther; [now apply p_convex | now apply q_convex | exact some |]. intros a b A B.
       now apply (sides_ a b).
@@ -222,7 +143,7 @@ Section Beside.
   Qed.
 
   Lemma winding_number_of_sum (x a b : vector) (t u : piece) : In t p -> In u q -> inside_piece t a -> inside_piece u b ->
-    equal_vectors x (added a b) -> off x (proper_ones segments) ->
+    equal_vectors x (added a b) -> off x segments ->
     winding_number x segments = winding_number (inner_sum t u) segments.
   Proof.
     intros T U A B x_is free. apply winding_number_on_the_way; trivial. intros n e some sides_.
@@ -239,10 +160,10 @@ Section Beside.
   (* What is strictly beyond all edges is on none. *)
   Lemma off_if_beyond (y : vector) (t u : piece) : In t p -> In u q ->
     (forall n e, nonzero n -> is_beside n e t u ->
-      dot n (vector_of (fst e)) < dot n y /\ dot n (vector_of (snd e)) < dot n y) -> off y (proper_ones segments).
+      dot n (vector_of (fst e)) < dot n y /\ dot n (vector_of (snd e)) < dot n y) -> off y segments.
   Proof.
-    intros T U beyond s S on. apply proper_edge in S. destruct S as (e & -> & E & proper_e).
-    destruct (beside e t u E proper_e T U) as (n & some & sides_). destruct (beyond n e some sides_) as [first second].
+    intros T U beyond s S on. apply in_map_iff in S. destruct S as (e & <- & E).
+    destruct (beside e t u E T U) as (n & some & sides_). destruct (beyond n e some sides_) as [first second].
     destruct on as (r & range & x_is & y_is). cbn [source target segment_of_hedge] in *.
     assert (y_dot : dot n y == (1 - r) * dot n (vector_of (fst e)) + r * dot n (vector_of (snd e)))
       by (unfold dot; rewrite x_is, y_is; ring).
@@ -294,7 +215,7 @@ Section Beside.
   (* Theorem. If all pieces are reached from roots, and the sums of two roots' inner points are inside, all sums are. *)
   Theorem sums_are_inside_by_roots (is_in_s : hpoint -> bool) (p_roots q_roots : list positive)
     (p_links q_links : list (positive * positive)) :
-    (forall z, is_in_s z = true -> off (vector_of z) (proper_ones segments) ->
+    (forall z, is_in_s z = true -> off (vector_of z) segments ->
       winding_number (vector_of z) segments <> 0%Z) ->
     are_all_reached (numbers_from 1 p) (all_reached (numbers_from 1 p) p_roots p_links) = true ->
     are_all_reached (numbers_from 1 q) (all_reached (numbers_from 1 q) q_roots q_links) = true ->
@@ -304,8 +225,7 @@ Section Beside.
   Proof.
     intros is_right p_reached q_reached roots_inside t u a b x T U A B x_is.
     destruct (on_or_off x segments) as [on | free]; [now left | right].
-    rewrite (winding_number_of_sum x a b t u T U A B x_is)
-      by (intros s S; apply free; unfold proper_ones in S; now apply filter_In in S).
+    rewrite (winding_number_of_sum x a b t u T U A B x_is free).
     destruct (reached_from_a_root p 1 p_roots
       (fun t t' => forall u, In u q -> winding_number (inner_sum t u) segments = winding_number (inner_sum t' u) segments))
       with (those := p_links) (t := t) as (i & t_root & I & found_t & t_connected); trivial.
@@ -339,13 +259,6 @@ End Beside.
 
 (** What the checker looks at *)
 
-Lemma no_failure {A} (test : A -> bool) (l : list A) : forall n,
-  first_failure test n l = None -> forall a, In a l -> test a = true.
-Proof.
-  induction l as [| b l IH]; intros n none a; [easy |]. cbn [first_failure] in none.
-  destruct (test b) eqn:passed; [| discriminate]. intros [<- | I]; [exact passed | now apply (IH (N.succ n))].
-Qed.
-
 Lemma convex_has_corners (t : piece) : is_convex t = true -> corners_of t <> [].
 Proof. unfold is_convex. intros convex none. now rewrite none in convex. Qed.
 
@@ -354,16 +267,16 @@ Lemma all_beside (D : positive) (es : list hedge) (p q : list piece) :
   (forall u, In u q -> is_convex u = true /\ u = piece_of (corners_of u)) ->
   (forall e, In e es ->
     forallb (fun t => forallb (are_trees_apart D (placed_hedge D e) t) (trees_of D q)) (trees_of D p) = true) ->
-  forall e t u, In e es -> ~ equal_vectors (vector_of (fst e)) (vector_of (snd e)) -> In t p -> In u q -> are_beside e t u.
+  forall e t u, In e es -> In t p -> In u q -> are_beside e t u.
 Proof.
-  intros p_convex q_convex apart e t u E proper_e T U.
+  intros p_convex q_convex apart e t u E T U.
   destruct (trees_have_all_pieces D p t T) as (t_tree & T_tree & t_there & t_boxed);
     [now apply convex_has_corners, p_convex |].
   destruct (trees_have_all_pieces D q u U) as (u_tree & U_tree & u_there & u_boxed);
     [now apply convex_has_corners, q_convex |].
   specialize (apart e E). rewrite forallb_forall in apart. specialize (apart t_tree T_tree).
   rewrite forallb_forall in apart. specialize (apart u_tree U_tree).
-  apply (search_finds_directions D e proper_e t_tree u_tree); trivial.
+  apply (search_finds_directions D e t_tree u_tree); trivial.
   - intros a A. now apply p_convex, (trees_have_only_pieces D p t_tree).
   - intros a A. now apply q_convex, (trees_have_only_pieces D q u_tree).
 Qed.
@@ -387,59 +300,38 @@ Proof.
       destruct found as (a & A & x_in); exists a; (split; [apply in_or_app; tauto | exact x_in]).
 Qed.
 
-Lemma is_one_point_if_equal (e : hedge) :
-  equal_vectors (vector_of (fst e)) (vector_of (snd e)) -> is_one_point e = true.
-Proof.
-  intros [x_is y_is]. unfold vector_of in x_is, y_is. cbn [vx vy] in x_is, y_is. unfold Qeq in x_is, y_is.
-  cbn [Qnum Qden] in x_is, y_is. unfold is_one_point. now rewrite x_is, y_is, !Z.eqb_refl.
-Qed.
-
 (* A point on no edge of S that the checker finds inside S, by its pieces or by its winding number. *)
 Lemma found_inside (D : positive) (s : polygonal_region) (inserted : list (list hpoint)) (polygons : list polygon)
   (z : hpoint) :
   are_a_region (hedges_of_region s) inserted (map piece_of polygons) = true ->
-  is_in_region D (hedges_of_region s) (forallb (fun e => negb (is_one_point e)) (hedges_of_region s))
-    (trees_of D (map piece_of polygons)) z = true ->
-  off (vector_of z) (proper_ones (boundary s)) -> winding_number (vector_of z) (boundary s) <> 0%Z.
+  is_in_region D (hedges_of_region s) (trees_of D (map piece_of polygons)) z = true ->
+  off (vector_of z) (boundary s) -> winding_number (vector_of z) (boundary s) <> 0%Z.
 Proof.
   intros s_region found free. unfold is_in_region in found. apply orb_true_iff in found. destruct found as [found | found].
-  - apply andb_true_iff in found. destruct found as [simple found].
-    apply existsb_exists in found. destruct found as (tree_ & T & found). apply found_in_a_tree in found.
+  - apply existsb_exists in found. destruct found as (tree_ & T & found). apply found_in_a_tree in found.
     destruct found as (a & A & z_in). apply (trees_have_only_pieces D (map piece_of polygons)) in A; [| exact T].
     assert (in_s : member (as_point (vector_of z)) s).
     { apply (pieces_are_in_region _ _ _ s_region (pieces_of_corners _) a); [exact A |]. now rewrite as_vector_of_point. }
     apply member_is in in_s. rewrite as_vector_of_point in in_s. destruct in_s as [(e & E & on) | round]; [| exact round].
-    exfalso. apply (free e); [| exact on]. unfold proper_ones. apply filter_In. split; [exact E |].
-    apply negb_true_iff. destruct (is_a_point e) eqn:point; [exfalso | reflexivity].
-    unfold boundary in E. apply in_map_iff in E. destruct E as (h & <- & H).
-    rewrite forallb_forall in simple. specialize (simple h H). apply negb_true_iff in simple.
-    apply is_a_point_spec, is_one_point_if_equal in point. congruence.
+    now destruct (free e E).
   - rewrite hwinding_is in found. now apply negb_true_iff, Z.eqb_neq in found.
 Qed.
 
 (* Theorem. If the checker accepts, the sums of what is inside a piece of P and what is inside a piece of Q are in S. *)
-Theorem sums_of_pieces_are_members (p q s : polygonal_region) (c : certificate) :
-  accepts p q s c = true ->
-  forall (t u : piece) (a b : vector) (x : point),
-  In t (map piece_of (summand_pieces (of_p c))) -> In u (map piece_of (summand_pieces (of_q c))) ->
-  inside_piece t a -> inside_piece u b -> equal_vectors (as_vector x) (added a b) -> member x s.
+Theorem sums_of_pieces_are_members (is_open : bool) (p q : polygonal_region) (s : open_region) (c : certificate) :
+  is_checked is_open p q s c ->
+  forall (t u : piece) (a b : vector) (x : point), In t (p_pieces c) -> In u (q_pieces c) ->
+  inside_piece t a -> inside_piece u b -> equal_vectors (as_vector x) (added a b) -> member x (open_chains s).
 Proof.
-  unfold accepts, check. cbv zeta.
-  destruct (are_a_region (hedges_of_region p) _ _) eqn:p_region; cbn [negb]; [| discriminate].
-  destruct (are_a_region (hedges_of_region q) _ _) eqn:q_region; cbn [negb]; [| discriminate].
-  destruct (are_a_region (hedges_of_region s) _ _) eqn:s_region; cbn [negb]; [| discriminate].
-  destruct (are_all_reached (numbers_from 1 (map piece_of (summand_pieces (of_p c)))) _) eqn:p_reached;
-    cbn [negb]; [| discriminate].
-  destruct (are_all_reached (numbers_from 1 (map piece_of (summand_pieces (of_q c)))) _) eqn:q_reached;
-    cbn [negb]; [| discriminate].
-  destruct (are_roots_inside _ _ _ _ _) eqn:roots_inside; cbn [negb]; [| discriminate].
-  destruct (first_failure _ 0 (hedges_of_region s)) eqn:apart; [discriminate |]. intros _ t u a b x T U A B x_is.
-  pose proof (no_failure _ _ _ apart) as all_apart. cbv beta zeta in all_apart.
-  pose proof (pieces_of_polygons_are_convex _ _ _ p_region) as p_convex. pose proof (pieces_of_polygons_are_convex _ _ _ q_region) as q_convex.
-  apply member_is.
-  rewrite <- (map_map fst piece_of) in s_region, roots_inside.
-  apply (sums_are_inside_by_roots (hedges_of_region s) _ _ (boundary_cycles s) p_convex q_convex
-    (all_beside (unit c) _ _ _ p_convex q_convex all_apart) _ _ _ _ _
-    (fun z => found_inside (unit c) s (sum_inserted c) (map fst (sum_pieces c)) z s_region)
+  intros [p_region q_region s_region p_reached q_reached roots_inside all_apart _ _ _ _ _ _] t u a b x T U A B x_is.
+  pose proof (pieces_of_polygons_are_convex _ _ _ p_region) as p_convex.
+  pose proof (pieces_of_polygons_are_convex _ _ _ q_region) as q_convex.
+  assert (s_apart : forall e, In e (hedges_of_region (open_chains s)) ->
+    forallb (fun t => forallb (are_trees_apart (unit c) (placed_hedge (unit c) e) t) (trees_of (unit c) (q_pieces c)))
+      (trees_of (unit c) (p_pieces c)) = true) by (intros e E; apply all_apart, in_or_app; now left).
+  apply member_is. unfold s_pieces in *. rewrite <- (map_map fst piece_of) in s_region, roots_inside.
+  apply (sums_are_inside_by_roots (hedges_of_region (open_chains s)) _ _ (boundary_cycles (open_chains s)) p_convex
+    q_convex (all_beside (unit c) _ _ _ p_convex q_convex s_apart) _ _ _ _ _
+    (fun z => found_inside (unit c) (open_chains s) (sum_inserted c) (map fst (sum_pieces c)) z s_region)
     p_reached q_reached roots_inside t u a b); assumption.
 Qed.

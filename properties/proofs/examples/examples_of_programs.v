@@ -2,7 +2,7 @@
 (* The theorems on oplus-certified and oplus-proved on regions that one can draw: a square and a triangle with a
    certificate of their sum; the room and the diamond. *)
 From Coq Require Import QArith ZArith Bool List.
-From Oplus Require Import specification checker certified_sums operations.
+From Oplus Require Import specification checker certified_sums certified_open_sums operations.
 Import ListNotations.
 
 (* A square, a triangle, and their sum, a pentagon; both are convex, so each is a piece, and the sum's only piece is
@@ -16,10 +16,14 @@ Definition their_certificate : certificate :=
   Certificate 1
     (SummandCertificate [] [[Hpoint 0 0 1; Hpoint 2 0 1; Hpoint 2 2 1; Hpoint 0 2 1]] [1%positive] [])
     (SummandCertificate [] [[Hpoint 0 0 1; Hpoint 1 0 1; Hpoint 0 1 1]] [1%positive] [])
-    [] [([Hpoint 0 0 1; Hpoint 3 0 1; Hpoint 3 2 1; Hpoint 2 3 1; Hpoint 0 3 1], SumsOf 1 1)].
+    [] [([Hpoint 0 0 1; Hpoint 3 0 1; Hpoint 3 2 1; Hpoint 2 3 1; Hpoint 0 3 1], SumsOf 1 1)] [].
 
 Example a_certified_sum : is_minkowski_sum a_square a_triangle a_pentagon.
 Proof. apply (accepted_sums_are_sums _ _ _ their_certificate). vm_compute. reflexivity. Qed.
+
+(* So there is no seam, and the pentagon without its edges is the open sum. *)
+Example a_certified_open_sum : is_open_sum a_square a_triangle (OpenRegion a_pentagon [] []).
+Proof. apply (accepted_open_sums_are_open_sums _ _ _ their_certificate). vm_compute. reflexivity. Qed.
 
 (* The room and the diamond, in halves. *)
 Definition halves (points : list (Z * Z)) : chain := map (fun c => Point (fst c # 2) (snd c # 2)) points.

@@ -8,6 +8,8 @@ Import ListNotations.
 
 Open Scope Z_scope.
 
+Definition nothing_beside : beside_chains := Beside false false [] [].
+
 (** Words *)
 
 Definition is_plain (b : Z) : bool :=
@@ -148,7 +150,7 @@ Lemma lists_of_points_are_taken (line : Z) (all : lists) (points : chain) : fora
   fold_left take_byte (printed_point v ++ after_commas (map printed_point points) ++ [closing_sign])
     (taken_to line (X all) r) =
     go_on (reading_at line (Next all Points) (SoFar (chains r) (rev points ++ v :: ring_so_far r) (is_hole r)
-      (is_unbounded r)))
+      (beside r)))
       [closing_sign].
 Proof.
   induction points as [| u points IH]; intros v r printable; inversion_clear printable as [| ? ? printable_v others].
@@ -158,7 +160,7 @@ Proof.
     rewrite app_assoc, fold_left_app, points_are_taken by (trivial; now left).
     change (go_on _ [comma_sign]) with (taken_to line (X all) (with_vertex r (x_of v) (y_of v))).
     cbn [fold_left]. rewrite blank_is_taken, <- app_assoc, IH by trivial. unfold with_vertex.
-    cbn [chains ring_so_far is_hole is_unbounded rev]. rewrite <- app_assoc. now destruct v.
+    cbn [chains ring_so_far is_hole beside rev]. rewrite <- app_assoc. now destruct v.
 Qed.
 
 (** Rings *)
@@ -175,43 +177,48 @@ Proof.
   unfold points_compared. now rewrite !same.
 Qed.
 
-Lemma rings_are_taken (line : Z) (all : lists) (c : chain) (r : so_far) : is_printable_chain (negb (is_hole r)) c ->
+(* A polygon or a list of polygons. *)
+Definition is_of_region (all : lists) : Prop := all = Polygons \/ all = Rings.
+
+Lemma rings_are_taken (line : Z) (all : lists) (c : chain) (r : so_far) : is_of_region all ->
+  is_printable_chain (negb (is_hole r)) c ->
   ring_so_far r = [] ->
   fold_left take_byte (printed_ring c) (taken_to line (Opening all Points) r) =
-    taken_to line (after_list all Points) (SoFar (c :: chains r) [] true (is_unbounded r)).
+    taken_to line (after_list all Points) (SoFar (c :: chains r) [] true (beside r)).
 Proof.
-  intros [is_oriented printable] none. pose proof (oriented_chains_are_some _ _ is_oriented) as some.
+  intros of_region_ [is_oriented printable] none. pose proof (oriented_chains_are_some _ _ is_oriented) as some.
   destruct c as [| first rest]; [easy |]. unfold printed_ring. cbn [printed_list app fold_left].
   rewrite symbols_are_taken by reflexivity. change (go_on _ [opening_sign]) with (taken_to line (X all) r).
   rewrite lists_of_points_are_taken.
   - rewrite rev_app_distr, none. unfold go_on. cbn [reading_at stage_of result line_number take_word].
     change (is_symbol comma_sign [closing_sign]) with false. change (is_symbol closing_sign [closing_sign]) with true.
-    cbv iota. unfold with_ring. cbn [rev app ring_so_far].
+    cbv iota. replace (with_list all) with with_ring by (now destruct of_region_ as [-> | ->]).
+    unfold with_ring. cbn [rev app ring_so_far].
     assert (others : exists v l, rev rest ++ [first] = v :: l) by (destruct (rev rest); now eexists _, _).
     destruct others as (v & l & is_). rewrite is_, <- is_, last_last, points_compared_refl.
     rewrite reversed_as_rev, rev_app_distr, rev_involutive. cbn [rev app]. unfold with_chain.
-    cbn [is_hole chains is_unbounded].
+    cbn [is_hole chains beside].
     now rewrite is_oriented.
   - inversion_clear printable as [| ? ? printable_first others]. constructor; [exact printable_first |].
     apply Forall_app. split; [exact others | now constructor].
 Qed.
 
-Lemma lists_of_rings_are_taken (line : Z) (all : lists) (holes : list chain) : all <> Points -> forall c r,
+Lemma lists_of_rings_are_taken (line : Z) (all : lists) (holes : list chain) : is_of_region all -> forall c r,
   is_printable_chain (negb (is_hole r)) c -> Forall (is_printable_chain false) holes -> ring_so_far r = [] ->
   fold_left take_byte (printed_ring c ++ after_commas (map printed_ring holes) ++ [closing_sign])
     (taken_to line (Opening all Points) r) =
-    taken_to line (after_list all Rings) (SoFar (rev holes ++ c :: chains r) [] true (is_unbounded r)).
+    taken_to line (after_list all Rings) (SoFar (rev holes ++ c :: chains r) [] true (beside r)).
 Proof.
   intros lists_. induction holes as [| hole holes IH]; intros c r printable others none; rewrite fold_left_app;
     rewrite rings_are_taken by trivial;
-    (replace (after_list all Points) with (Next all Rings) by (now destruct all)).
+    (replace (after_list all Points) with (Next all Rings) by (now destruct lists_ as [-> | ->])).
   - cbn [map after_commas app fold_left]. rewrite symbols_are_taken by reflexivity. reflexivity.
   - inversion_clear others as [| ? ? printable_hole more]. cbn [map after_commas app fold_left].
     rewrite symbols_are_taken by reflexivity.
     match goal with |- context [go_on ?s [comma_sign]] =>
       change (go_on s [comma_sign]) with (taken_to line (Opening all Points) (result s)) end.
     cbn [reading_at result]. rewrite blank_is_taken, <- app_assoc. rewrite IH by trivial.
-    cbn [chains is_unbounded rev]. now rewrite <- app_assoc.
+    cbn [chains beside rev]. now rewrite <- app_assoc.
 Qed.
 
 (** Polygons *)
@@ -222,16 +229,16 @@ Definition is_printable_polygon (p : chain * list chain) : Prop :=
 Definition chains_in (p : chain * list chain) : polygonal_region := fst p :: snd p.
 
 Lemma polygons_are_taken (line : Z) (all : lists) (start_ : stage) (p : chain * list chain) (r : so_far) :
-  all <> Points ->
+  is_of_region all ->
   start_ = Opening all Rings \/ start_ = Contents all /\ all = Rings -> is_printable_polygon p ->
   fold_left take_byte (printed_polygon p) (taken_to line start_ r) =
-    taken_to line (after_list all Rings) (SoFar (rev (chains_in p) ++ chains r) [] true (is_unbounded r)).
+    taken_to line (after_list all Rings) (SoFar (rev (chains_in p) ++ chains r) [] true (beside r)).
 Proof.
   intros lists_ starts [printable others]. destruct p as [outer holes]. cbn [fst snd] in *. unfold printed_polygon.
   cbn [fst snd printed_list fold_left]. rewrite symbols_are_taken by reflexivity.
   replace (go_on _ [opening_sign]) with (taken_to line (Opening all Points) (with_outer_chain_next r))
     by (destruct starts as [-> | [-> ->]]; reflexivity).
-  rewrite lists_of_rings_are_taken by trivial. unfold chains_in. cbn [rev with_outer_chain_next chains is_unbounded].
+  rewrite lists_of_rings_are_taken by trivial. unfold chains_in. cbn [rev with_outer_chain_next chains beside].
   now rewrite <- app_assoc.
 Qed.
 
@@ -239,7 +246,7 @@ Lemma lists_of_polygons_are_taken (line : Z) (polygons : list (chain * list chai
   Forall is_printable_polygon (p :: polygons) ->
   fold_left take_byte (printed_polygon p ++ after_commas (map printed_polygon polygons) ++ [closing_sign])
     (taken_to line (Opening Polygons Rings) r) =
-    taken_to line Complete (SoFar (rev (flat_map chains_in (p :: polygons)) ++ chains r) [] true (is_unbounded r)).
+    taken_to line Complete (SoFar (rev (flat_map chains_in (p :: polygons)) ++ chains r) [] true (beside r)).
 Proof.
   induction polygons as [| q polygons IH]; intros p r printable;
     inversion_clear printable as [| ? ? printable_p others];
@@ -251,9 +258,30 @@ Proof.
   - cbn [map after_commas app fold_left]. rewrite symbols_are_taken by reflexivity.
     match goal with |- context [go_on ?s [comma_sign]] =>
       change (go_on s [comma_sign]) with (taken_to line (Opening Polygons Rings) (result s)) end.
-    cbn [reading_at result]. rewrite blank_is_taken, <- app_assoc, IH by trivial. cbn [chains is_unbounded].
+    cbn [reading_at result]. rewrite blank_is_taken, <- app_assoc, IH by trivial. cbn [chains beside].
     change (flat_map chains_in (p :: q :: polygons)) with (chains_in p ++ flat_map chains_in (q :: polygons)).
     now rewrite rev_app_distr, <- app_assoc.
+Qed.
+
+(* Where keywords are read as these. *)
+Lemma regions_are_taken (line : Z) (p : stage) (r : so_far) (polygons : list (chain * list chain)) : polygons <> [] ->
+  Forall is_printable_polygon polygons ->
+  fold_left take_byte (bytes "POLYGON ") (taken_to line p r) = taken_to line (Contents Rings) r ->
+  fold_left take_byte (bytes "MULTIPOLYGON ") (taken_to line p r) = taken_to line (Contents Polygons) r ->
+  fold_left take_byte (printed_region polygons) (taken_to line p r) =
+    taken_to line Complete (SoFar (rev (flat_map chains_in polygons) ++ chains r) [] true (beside r)).
+Proof.
+  intros some printable single several. unfold printed_region.
+  destruct polygons as [| polygon [| q polygons]]; [easy | |]; rewrite fold_left_app.
+  - inversion_clear printable as [| ? ? printable_p _].
+    etransitivity; [exact (f_equal (fold_left take_byte (printed_polygon polygon)) single) |]. clear single several.
+    rewrite (polygons_are_taken line Rings (Contents Rings) polygon r); [| now right | now right | exact printable_p].
+    cbn [after_list flat_map]. now rewrite app_nil_r.
+  - etransitivity;
+      [exact (f_equal (fold_left take_byte (printed_list printed_polygon (polygon :: q :: polygons))) several) |].
+    clear single several. unfold printed_list. cbn [fold_left]. rewrite symbols_are_taken by reflexivity.
+    change (go_on _ [opening_sign]) with (taken_to line (Opening Polygons Rings) r).
+    now rewrite lists_of_polygons_are_taken by trivial.
 Qed.
 
 (* Theorem. *)
@@ -261,23 +289,13 @@ Theorem printed_regions_are_read (may_be_unbounded : bool) (polygons : list (cha
   Forall is_printable_polygon polygons ->
   region_in may_be_unbounded (printed_polygons polygons) = inl (false, flat_map chains_in polygons).
 Proof.
-  intros printable. unfold region_in, printed_polygons. rewrite fold_left_app.
-  assert (complete : forall cs, at_end (take_byte (taken_to 1 Complete (SoFar cs [] true false)) new_line) =
-    inl (false, rev cs))
+  intros printable. destruct polygons as [| p rest] eqn:these; [now destruct may_be_unbounded |].
+  rewrite <- these in *.
+  unfold region_in, printed_polygons. rewrite fold_left_app.
+  change (start may_be_unbounded) with (taken_to 1 (Start may_be_unbounded) (SoFar [] [] false nothing_beside)).
+  rewrite (regions_are_taken 1 (Start may_be_unbounded)); [| now rewrite these | exact printable | reflexivity ..].
+  assert (complete : forall cs, at_end (fold_left take_byte [new_line]
+    (taken_to 1 Complete (SoFar cs [] true nothing_beside))) = inl (false, rev cs))
     by (intros cs; now rewrite <- reversed_as_rev).
-  destruct polygons as [| p [| q polygons]].
-  - now destruct may_be_unbounded.
-  - inversion_clear printable as [| ? ? printable_p _]. rewrite fold_left_app.
-    replace (fold_left take_byte (bytes "POLYGON ") (start may_be_unbounded))
-      with (taken_to 1 (Contents Rings) (SoFar [] [] false false)) by (now destruct may_be_unbounded).
-    rewrite (polygons_are_taken 1 Rings) by (trivial; now right || easy).
-    cbn [after_list chains is_unbounded fold_left]. rewrite complete.
-    cbn [flat_map]. now rewrite !app_nil_r, rev_involutive.
-  - rewrite fold_left_app.
-    replace (fold_left take_byte (bytes "MULTIPOLYGON ") (start may_be_unbounded))
-      with (taken_to 1 (Contents Polygons) (SoFar [] [] false false)) by (now destruct may_be_unbounded).
-    unfold printed_list. cbn [fold_left]. rewrite symbols_are_taken by reflexivity.
-    change (go_on _ [opening_sign]) with (taken_to 1 (Opening Polygons Rings) (SoFar [] [] false false)).
-    rewrite lists_of_polygons_are_taken by trivial. cbn [chains is_unbounded]. rewrite complete, app_nil_r.
-    now rewrite rev_involutive.
+  cbn [chains beside]. now rewrite app_nil_r, complete, rev_involutive.
 Qed.

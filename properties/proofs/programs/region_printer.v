@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Regions as bytes, in WKT, as the programs write them. *)
+(* Regions as bytes, in WKT, as the programs write them, and sets that have edges and points of their own. *)
 From Coq Require Import QArith ZArith Bool List String.
 From Oplus Require Import specification region_reader.
 Import ListNotations.
@@ -76,9 +76,22 @@ Definition printed_ring (c : chain) : text :=
 (* An outer chain and its holes. *)
 Definition printed_polygon (p : chain * list chain) : text := printed_list printed_ring (fst p :: snd p).
 
-Definition printed_polygons (polygons : list (chain * list chain)) : text :=
+Definition printed_region (polygons : list (chain * list chain)) : text :=
   match polygons with
   | [] => bytes "POLYGON EMPTY"
   | [polygon] => bytes "POLYGON " ++ printed_polygon polygon
   | _ => bytes "MULTIPOLYGON " ++ printed_list printed_polygon polygons
-  end ++ [new_line].
+  end.
+
+Definition printed_polygons (polygons : list (chain * list chain)) : text := printed_region polygons ++ [new_line].
+
+(* A region with edges and points of its own; without these, the region. *)
+Definition printed_set (polygons : list (chain * list chain)) (edges : list edge) (points : list point) : text :=
+  match edges, points with
+  | [], [] => printed_polygons polygons
+  | _, _ =>
+    bytes "GEOMETRYCOLLECTION " ++ printed_list (fun item => item)
+      (match polygons with [] => [] | _ => [printed_region polygons] end ++
+       map (fun e => bytes "LINESTRING " ++ printed_list printed_point [fst e; snd e]) edges ++
+       map (fun v => bytes "POINT " ++ printed_list printed_point [v]) points) ++ [new_line]
+  end.

@@ -1,7 +1,8 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Regions as the programs read them, from bytes: WKT, POLYGON, MULTIPOLYGON and EMPTY, and .dat (docs/files.md). The
-   reader goes from state to state, byte by byte, so a program need not hold a text as a whole, and can end at the
-   first error. That it reads what is printed as what it was is proved in printed_regions_are_read.v. *)
+(* Regions as the programs read them, from bytes: WKT, POLYGON, MULTIPOLYGON and EMPTY, and .dat (docs/files.md); and
+   sets that have edges and points of their own, a GEOMETRYCOLLECTION of a region, line strings and points. The reader
+   goes from state to state, byte by byte, so a program need not hold a text as a whole, and can end at the first
+   error. That it reads what is printed as what it was is proved in printed_regions_are_read.v. *)
 From Coq Require Import QArith ZArith Bool List String Ascii.
 From Oplus Require Import specification.
 Import ListNotations.
@@ -34,6 +35,11 @@ Definition carriage_return := 13.
 Definition blank_sign := 32.
 Definition polygon_word := bytes "POLYGON".
 Definition multipolygon_word := bytes "MULTIPOLYGON".
+Definition line_string_word := bytes "LINESTRING".
+Definition line_strings_word := bytes "MULTILINESTRING".
+Definition point_word := bytes "POINT".
+Definition points_word := bytes "MULTIPOINT".
+Definition collection_word := bytes "GEOMETRYCOLLECTION".
 Definition empty_word := bytes "EMPTY".
 
 Fixpoint same_text (a b : text) : bool :=
@@ -87,7 +93,8 @@ Definition times_power_of_ten (n k : Z) : Q :=
 
 Inductive complaint :=
 | NoKeyword | NotOpened | NotContinued | NoNumber | NoDenominator | LargeExponent | NotEnded | NoCount
-| NotClosed | EdgesOverlap | FewVertices (count : Z) | NoOuterChain | LongWord.
+| NotClosed | EdgesOverlap | FewVertices (count : Z) | NoOuterChain | LongWord
+| NoSet | NoGeometry | ShortLine.
 
 Definition begins_with (c : Z) (w : text) : bool := match w with b :: _ => b =? c | [] => false end.
 Definition is_symbol (c : Z) (w : text) : bool := match w with [b] => b =? c | _ => false end.
@@ -178,11 +185,15 @@ Definition oriented (counterclockwise : bool) (c : chain) : option chain :=
 
 (** Words to regions *)
 
-Inductive lists := Polygons | Rings | Points.
+(* Points are a ring or a line string; Vertices are points of their own. *)
+Inductive lists := Polygons | Rings | Points | Lines | Vertices.
 
-(* What is expected next. In WKT `all` is the list that the text is, after its keyword. *)
+(* What is expected next. In WKT `all` is the list that the text or an item of a collection is, after its keyword. *)
 Inductive stage :=
 | Start (may_be_unbounded : bool)
+| StartOfSet
+| Collection (* its items *)
+| Item
 | Contents (all : lists)
 | Opening (all this : lists)
 | X (all : lists)
@@ -195,21 +206,30 @@ Inductive stage :=
 | VertexX (count : Z) (then_ : stage)
 | VertexY (count : Z) (then_ : stage) (x : Q).
 
+(* What was read beside chains; edges and points with the last ones first. *)
+Record beside_chains := Beside {
+  is_unbounded : bool; in_collection : bool; edges_so_far : list edge; points_so_far : list point }.
+
 (* What was read: chains, and the vertices of the next one, with the last ones first; and whether that one is a hole. *)
-Record so_far := SoFar { chains : polygonal_region; ring_so_far : chain; is_hole : bool; is_unbounded : bool }.
+Record so_far := SoFar { chains : polygonal_region; ring_so_far : chain; is_hole : bool; beside : beside_chains }.
 
 Definition with_vertex (r : so_far) (x y : Q) : so_far :=
-  SoFar (chains r) (Point x y :: ring_so_far r) (is_hole r) (is_unbounded r).
+  SoFar (chains r) (Point x y :: ring_so_far r) (is_hole r) (beside r).
 
 Definition with_chain (r : so_far) (c : chain) : so_far + complaint :=
   match oriented (negb (is_hole r)) c with
-  | Some c' => inl (SoFar (c' :: chains r) [] true (is_unbounded r))
+  | Some c' => inl (SoFar (c' :: chains r) [] true (beside r))
   | None => inr EdgesOverlap
   end.
 
-Definition with_outer_chain_next (r : so_far) : so_far := SoFar (chains r) [] false (is_unbounded r).
+Definition with_outer_chain_next (r : so_far) : so_far := SoFar (chains r) [] false (beside r).
 Definition with_holes_next (r : so_far) (unbounded : bool) : so_far :=
-  SoFar (chains r) [] true (unbounded || is_unbounded r).
+  let o := beside r in
+  SoFar (chains r) [] true
+    (Beside (unbounded || is_unbounded o) (in_collection o) (edges_so_far o) (points_so_far o)).
+
+Definition with_collection (r : so_far) (is_open : bool) : so_far :=
+  let o := beside r in SoFar (chains r) [] false (Beside (is_unbounded o) is_open (edges_so_far o) (points_so_far o)).
 
 (* A ring has its first vertex again as its last one. *)
 Definition with_ring (r : so_far) : so_far + complaint :=
@@ -222,6 +242,29 @@ Definition with_ring (r : so_far) : so_far + complaint :=
   | _ => inr NotClosed
   end.
 
+(* The edges from each vertex to the next one. *)
+Definition with_line (r : so_far) : so_far + complaint :=
+  let o := beside r in
+  match ring_so_far r with
+  | _ :: ((_ :: _) as others_) =>
+    inl (SoFar (chains r) [] false (Beside (is_unbounded o) (in_collection o)
+      (combine others_ (ring_so_far r) ++ edges_so_far o) (points_so_far o)))
+  | _ => inr ShortLine
+  end.
+
+Definition with_points (r : so_far) : so_far :=
+  let o := beside r in
+  SoFar (chains r) [] false
+    (Beside (is_unbounded o) (in_collection o) (edges_so_far o) (ring_so_far r ++ points_so_far o)).
+
+(* The list of vertices as what it is in. *)
+Definition with_list (all : lists) (r : so_far) : so_far + complaint :=
+  match all with
+  | Polygons | Rings => with_ring r
+  | Points | Lines => with_line r
+  | Vertices => inl (with_points r)
+  end.
+
 Definition at_stage (p : stage) (read : so_far + complaint) : (so_far * stage) + complaint :=
   match read with inl r => inl (r, p) | inr wrong => inr wrong end.
 
@@ -229,7 +272,8 @@ Definition opened (all this : lists) (r : so_far) : so_far * stage :=
   match this with
   | Polygons => (r, Opening all Rings)
   | Rings => (with_outer_chain_next r, Opening all Points)
-  | Points => (r, X all)
+  | Lines => (r, Opening all Points)
+  | Points | Vertices => (r, X all)
   end.
 
 Definition after_list (all this : lists) : stage :=
@@ -237,14 +281,15 @@ Definition after_list (all this : lists) : stage :=
   | Polygons, Points => Next all Rings
   | Polygons, Rings => Next all Polygons
   | Rings, Points => Next all Rings
+  | Lines, Points => Next all Lines
   | _, _ => Complete
   end.
 
 Definition continued (all this : lists) (r : so_far) : so_far * stage :=
   match this with
   | Polygons => (r, Opening all Rings)
-  | Rings => (r, Opening all Points)
-  | Points => (r, X all)
+  | Rings | Lines => (r, Opening all Points)
+  | Points | Vertices => (r, X all)
   end.
 
 Definition with_count (r : so_far) (w : text) (f : Z -> (so_far * stage) + complaint) : (so_far * stage) + complaint :=
@@ -263,16 +308,38 @@ Definition take_component (is_first may_be_unbounded : bool) (r : so_far) (w : t
   else
     let r' := with_outer_chain_next r in with_count r' w (counted_chain r' (Holes is_first false may_be_unbounded)).
 
+(* The keyword of a region, or of edges or points. *)
+Definition list_of_region (w : text) : option lists :=
+  if same_text (map upper w) polygon_word then Some Rings
+  else if same_text (map upper w) multipolygon_word then Some Polygons
+  else None.
+
+Definition list_of_item (w : text) : option lists :=
+  if same_text (map upper w) line_string_word then Some Points
+  else if same_text (map upper w) line_strings_word then Some Lines
+  else if same_text (map upper w) point_word || same_text (map upper w) points_word then Some Vertices
+  else list_of_region w.
+
+(* Otherwise the region is in .dat. *)
+Definition take_start (all : option lists) (wrong : complaint) (may_be_unbounded : bool) (r : so_far) (w : text) :
+  (so_far * stage) + complaint :=
+  match all, leading_digits [] w with
+  | Some all, _ => inl (r, Contents all)
+  | None, (_ :: _, []) => take_component true may_be_unbounded r w
+  | None, _ => inr wrong
+  end.
+
 (* Goes on with a word; the empty_word word is the end. *)
 Definition take_word (p : stage) (r : so_far) (w : text) : (so_far * stage) + complaint :=
   match p with
-  | Start may_be_unbounded =>
-    if same_text (map upper w) polygon_word then inl (r, Contents Rings)
-    else if same_text (map upper w) multipolygon_word then inl (r, Contents Polygons)
-    else match leading_digits [] w with
-    | (_ :: _, []) => take_component true may_be_unbounded r w
-    | _ => inr NoKeyword
-    end
+  | Start may_be_unbounded => take_start (list_of_region w) NoKeyword may_be_unbounded r w
+  | StartOfSet =>
+    if same_text (map upper w) collection_word then inl (r, Collection)
+    else take_start (list_of_item w) NoSet false r w
+  | Collection =>
+    if same_text (map upper w) empty_word then inl (r, Complete)
+    else if is_symbol opening_sign w then inl (with_collection r true, Item) else inr NotOpened
+  | Item => match list_of_item w with Some all => inl (r, Contents all) | None => inr NoGeometry end
   | Contents all =>
     if same_text (map upper w) empty_word then inl (r, Complete)
     else if is_symbol opening_sign w then inl (opened all all r) else inr NotOpened
@@ -283,11 +350,14 @@ Definition take_word (p : stage) (r : so_far) (w : text) : (so_far * stage) + co
     if is_symbol comma_sign w then inl (continued all this r)
     else if is_symbol closing_sign w then
       match this with
-      | Points => at_stage (after_list all this) (with_ring r)
+      | Points => at_stage (after_list all this) (with_list all r)
       | _ => inl (r, after_list all this)
       end
     else inr NotContinued
-  | Complete => inr NotEnded
+  | Complete =>
+    if negb (in_collection (beside r)) then inr NotEnded
+    else if is_symbol comma_sign w then inl (r, Item)
+    else if is_symbol closing_sign w then inl (with_collection r false, Complete) else inr NotContinued
   | OuterChain may_be_unbounded => take_component false may_be_unbounded r w
   | Holes is_first is_unbounded_ may_be_unbounded =>
     if is_unbounded_ && negb may_be_unbounded then inr NoOuterChain
@@ -315,8 +385,11 @@ Record reading := Reading { line_number : Z; word : text; length_of_word : Z; st
 
 Record failure := Failure { in_line : Z; at_word : text; what : complaint }.
 
-Definition start (may_be_unbounded : bool) : reading + failure :=
-  inl (Reading 1 [] 0 (Start may_be_unbounded) (SoFar [] [] false false)).
+Definition start_from (p : stage) : reading + failure :=
+  inl (Reading 1 [] 0 p (SoFar [] [] false (Beside false false [] []))).
+
+Definition start (may_be_unbounded : bool) : reading + failure := start_from (Start may_be_unbounded).
+Definition start_of_set : reading + failure := start_from StartOfSet.
 
 Definition longest_word : Z := 100000.
 
@@ -343,14 +416,30 @@ Definition take_byte (now : reading + failure) (b : Z) : reading + failure :=
     else if length_of_word s =? longest_word then inr (Failure (line_number s) (rev' (word s)) LongWord)
     else inl (Reading (line_number s) (b :: word s) (length_of_word s + 1) (stage_of s) (result s))).
 
-(* At the end of the text: whether the region is unbounded, and its chains. *)
-Definition at_end (now : reading + failure) : (bool * polygonal_region) + failure :=
+(* What was read, at the end of the text. *)
+Definition all_read (now : reading + failure) : so_far + failure :=
   match and_then now end_word with
   | inr wrong => inr wrong
   | inl s =>
-    if may_end (stage_of s) then inl (is_unbounded (result s), rev' (chains (result s)))
+    if may_end (stage_of s) && negb (in_collection (beside (result s))) then inl (result s)
     else match go_on s [] with inl _ => inr (Failure (line_number s) [] NotEnded) | inr wrong => inr wrong end
+  end.
+
+(* Whether the region is unbounded, and its chains. *)
+Definition at_end (now : reading + failure) : (bool * polygonal_region) + failure :=
+  match all_read now with
+  | inl r => inl (is_unbounded (beside r), rev' (chains r))
+  | inr wrong => inr wrong
+  end.
+
+(* The set: its chains, edges and points. *)
+Definition at_end_of_set (now : reading + failure) : open_region + failure :=
+  match all_read now with
+  | inl r => inl (OpenRegion (rev' (chains r)) (rev' (edges_so_far (beside r))) (rev' (points_so_far (beside r))))
+  | inr wrong => inr wrong
   end.
 
 Definition region_in (may_be_unbounded : bool) (t : text) : (bool * polygonal_region) + failure :=
   at_end (fold_left take_byte t (start may_be_unbounded)).
+
+Definition set_in (t : text) : open_region + failure := at_end_of_set (fold_left take_byte t start_of_set).

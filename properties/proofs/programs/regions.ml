@@ -24,12 +24,15 @@ let refuse name { Proved.in_line; at_word; what } =
     | EdgesOverlap -> ("edges of a ring overlap at its leftmost vertex", "edges that meet only in ends")
     | FewVertices n -> (Printf.sprintf "a chain of %s vertices" (Z.to_string n), "at least 3")
     | NoOuterChain -> ("an outer chain of 0 vertices", "a bounded region")
+    | NoSet -> (word, "a (MULTI)POLYGON, (MULTI)LINESTRING, (MULTI)POINT, GEOMETRYCOLLECTION or a number of vertices")
+    | NoGeometry -> (word, "(MULTI)POLYGON, (MULTI)LINESTRING or (MULTI)POINT")
+    | ShortLine -> ("a line string of less than 2 vertices", "at least 2")
     | LongWord -> (word, Printf.sprintf "words of at most %s bytes" (Z.to_string Proved.longest_word))
   in
   Files.refuse name (Z.to_int in_line) wrong expected
 
-(* Whether it is unbounded, and its chains. *)
-let read_as may_be_unbounded file =
+(* What is read from `start` on, and taken from the reading `at_end`. *)
+let read_from start at_end file =
   Files.read file (fun name next_block ->
       let rec go_on = function
         | Proved.Inr failure -> refuse name failure
@@ -40,9 +43,10 @@ let read_as may_be_unbounded file =
                 let take now byte = Proved.take_byte now (Z.of_int (Char.code byte)) in
                 go_on (String.fold_left take now block))
       in
-      match Proved.at_end (go_on (Proved.start may_be_unbounded)) with
-      | Inl region -> region
+      match at_end (go_on start) with
+      | Proved.Inl read -> read
       | Inr failure -> refuse name failure)
 
-let read_any = read_as true
-let read file = snd (read_as false file)
+(* Whether it is unbounded, and its chains. *)
+let read_any = read_from (Proved.start true) Proved.at_end
+let read file = snd (read_from (Proved.start false) Proved.at_end file)

@@ -6,8 +6,9 @@
    that was inside the other region still is; and what was near a vertex on an edge, to the left of the edge, still
    is to its left. *)
 From Coq Require Import QArith Qminmax Lqa ZArith Lia Bool List Permutation.
-From Oplus Require Import regions_and_sums reflected parallelogram crossing_edges boundary_points pieces naive_collision
-  met_pieces collision_is_sound collision_is_complete placed_collision filling kept_pieces_go_round cut_pieces
+From Oplus Require Import specification_bridge regions_and_sums reflected parallelogram crossing_edges boundary_points
+  pieces naive_collision met_pieces collision_is_sound collision_is_complete placed_collision filling
+  kept_pieces_go_round cut_pieces
   rule_of_sides region_of_pieces coordinates.
 Import ListNotations.
 

@@ -28,12 +28,6 @@ Proof. intros long I. now destruct (proj1 (cut_returns s _ long) piece I). Qed.
 Lemma source_is_vertex (r : region) (s : segment) : In s (region_edges r) -> is_vertex (source s) r.
 Proof. intros S. exists s. split; [exact S | reflexivity]. Qed.
 
-Lemma common_part (s : segment) (v w y : vector) : lies_on v s -> lies_on w s -> lies_on y (Segment v w) -> lies_on y s.
-Proof.
-  intros (k & k_range & kx & ky) (l & l_range & lx & ly) (t & t_range & tx & ty). cbn [source target] in *.
-  exists ((1 - t) * k + t * l). split; [nra | rewrite tx, ty, kx, ky, lx, ly; split; ring].
-Qed.
-
 Lemma off_is (x : vector) (l : list segment) : off x l <-> ~ exists s, In s l /\ lies_on x s.
 Proof. split; [intros free (s & S & on); exact (free s S on) | intros none s S on; apply none; now exists s]. Qed.
 

@@ -52,21 +52,36 @@ Proof.
   unfold as_polygonal. now rewrite inner_point_is, !off_is, same_points, same_number.
 Qed.
 
+Lemma equal_inner_points (x y : point) (r : polygonal_region) : equal_points x y -> is_inner_point x r ->
+  is_inner_point y r.
+Proof.
+  intros [X Y]. rewrite !inner_point_is. intros [round free]. split.
+  - now rewrite <- (winding_number_of_equal (as_vector x) (as_vector y) _ X Y).
+  - apply (off_equal (as_vector x)); [now split | exact free].
+Qed.
+
+Lemma inner_points_of_half_turned (z : point) (b : polygonal_region) :
+  is_inner_point z (as_polygonal (half_turned (as_region b))) <-> is_inner_point (Point (0 - x_of z) (0 - y_of z)) b.
+Proof.
+  rewrite inner_point_of_chains, inner_point_is. unfold half_turned. rewrite off_placed.
+  change (as_vector (Point _ _)) with (minus (Vector 0 0) (as_vector z)).
+  split; intros [round free]; (split; [| exact free]); now rewrite winding_number_of_placed in *.
+Qed.
+
 (* The open sum with -b has the places where b overlaps a. *)
-Lemma overlaps_by_open_sum (a b : polygonal_region) (s : open_region) : valid_region (as_region b) ->
+Lemma overlaps_by_open_sum (a b : polygonal_region) (s : open_region) :
   is_open_sum a (as_polygonal (half_turned (as_region b))) s -> is_no_fit a b s.
 Proof.
-  intros b_region open x. rewrite (open x).
-  assert (turned_ : forall z, is_inner_point z (as_polygonal (half_turned (as_region b))) <->
-    is_inner_point (Point (0 - x_of z) (0 - y_of z)) b).
-  { intros z. rewrite inner_point_of_chains, inner_point_of_valid by exact b_region. unfold half_turned.
-    change (as_vector (Point _ _)) with (minus (Vector 0 0) (as_vector z)). rewrite <- inside_placed. unfold inside.
-    destruct (placed_is_valid (Vector 0 0) (as_region b) b_region) as (_ & not_negative & _).
-    pose proof (not_negative (as_vector z)). intuition lia. }
+  intros open x. rewrite (open x).
   split; intros (y & z & in_a & in_b & equal); exists y, (Point (0 - x_of z) (0 - y_of z));
-    (split; [exact in_a |]; split; [| by_computing]); [now apply turned_ | apply turned_].
-  apply inner_point_of_valid in in_b; [| exact b_region]. apply inner_point_of_valid; [exact b_region |].
-  apply (inside_equal (as_vector z)); [by_computing | exact in_b].
+    (split; [exact in_a |]; split; [| by_computing]); [now apply inner_points_of_half_turned |].
+  apply inner_points_of_half_turned. apply (equal_inner_points z); [by_computing | exact in_b].
+Qed.
+
+Lemma valid_goes_round_once (r : region) (x : vector) : valid_region r -> nowhere_above_one r ->
+  off x (region_edges r) -> winding_number x (region_edges r) = 0%Z \/ winding_number x (region_edges r) = 1%Z.
+Proof.
+  intros (_ & not_negative & _) simple free. pose proof (not_negative x free). pose proof (simple x free). lia.
 Qed.
 
 Lemma equal_members (x y : point) (r : polygonal_region) : equal_points x y -> member x r -> member y r.
@@ -99,21 +114,15 @@ Section InnerFit.
   Hypothesis a_fits : forall v, In v (concat (as_region a)) -> in_square m v.
   Hypothesis b_fits : forall v, In v (concat (as_region b)) -> in_square m v.
   Hypothesis b_some : exists v, In v (concat (as_region b)).
-  Hypothesis a_region : valid_region (as_region a).
-  Hypothesis a_simple : nowhere_above_one (as_region a).
-  Hypothesis b_region : valid_region (as_region b).
+  Hypothesis a_once : forall x, off x (region_edges (as_region a)) ->
+    winding_number x (region_edges (as_region a)) = 0%Z \/ winding_number x (region_edges (as_region a)) = 1%Z.
+  Hypothesis b_regular : forall y radius, member y b -> 0 < radius ->
+    exists z, within radius (as_vector y) (as_vector z) /\ is_inner_point z b.
   Let outside := complement_in_frame (5 * m) (as_region a).
   Hypothesis is_open : is_no_fit (as_polygonal outside) b s.
   Let chains := as_region (open_chains s).
-  Hypothesis chains_region : valid_region chains.
-  Hypothesis chains_simple : nowhere_above_one chains.
-
-  Lemma chains_go_round_once (x : vector) : off x (region_edges chains) ->
+  Hypothesis chains_go_round_once : forall x, off x (region_edges chains) ->
     winding_number x (region_edges chains) = 0%Z \/ winding_number x (region_edges chains) = 1%Z.
-  Proof.
-    intros free. destruct chains_region as (_ & not_negative & _). pose proof (not_negative x free).
-    pose proof (chains_simple x free). lia.
-  Qed.
 
   Definition is_placement (x : point) : Prop := forall y, member y b -> member (sum_of_points x y) a.
 
@@ -141,10 +150,9 @@ Section InnerFit.
     { rewrite (off_is _ (region_edges (as_region a))), <- on_turned, <- off_is. split; intros free e E.
       - apply free, in_app_iff. now right.
       - apply in_app_iff in E. destruct E as [E | E]; [now apply free_frame | now apply free]. }
-    rewrite same. pose proof (a_simple (as_vector x)) as simple. destruct a_region as (_ & not_negative & _).
-    specialize (not_negative (as_vector x)). rewrite off_is in *.
+    rewrite same. pose proof (a_once (as_vector x)) as once. rewrite off_is in *.
     destruct (Z.eq_dec (winding_number (as_vector x) (region_edges (as_region a))) 0); [rewrite e; intuition lia |].
-    split; [intros [round free] | tauto]. specialize (simple free). specialize (not_negative free). lia.
+    split; [intros [round free] | tauto]. specialize (once free). lia.
   Qed.
 
   Lemma open_members_are_no_placements (x : point) : open_member x s -> ~ is_placement x.
@@ -165,12 +173,10 @@ Section InnerFit.
     apply outside_is in out; [| unfold in_square in *; to_coordinates; lra].
     apply inner_point_of_chains in out. destruct out as [round free].
     destruct (winding_number_near _ _ (region_cycles outside) free) as (radius & R & near).
-    apply (member_of_region y b b_region) in in_b.
-    destruct (inside_near _ _ radius (valid_is_regular _ b_region) in_b R) as (y' & near_y & inner_y).
-    exists (sum_of_points x (as_point y')), (as_point y'). split; [| split; [| by_computing]].
-    - apply inner_point_of_chains. destruct (near (as_vector (sum_of_points x (as_point y')))) as [free' same_];
-        [by_computing | split; [congruence | exact free']].
-    - now apply inner_point_of_valid.
+    destruct (b_regular y radius in_b R) as (y' & near_y & inner_y).
+    exists (sum_of_points x y'), y'. split; [| split; [exact inner_y | by_computing]].
+    apply inner_point_of_chains. destruct (near (as_vector (sum_of_points x y'))) as [free' same_];
+      [by_computing | split; [congruence | exact free']].
   Qed.
 
   Lemma others_are_placements (x : point) : in_square (3 * m) (as_vector x) -> ~ open_member x s -> is_placement x.
@@ -343,6 +349,9 @@ Section InnerFit.
     intros c. rewrite map_map. etransitivity; [| apply map_id]. apply map_ext. exact as_vector_of_point.
   Qed.
 
+  Hypothesis chains_region : valid_region chains.
+  Hypothesis chains_simple : nowhere_above_one chains.
+
   Lemma edges_of_the_fit_are_long (t : segment) :
     In t (region_edges (as_vectors (fit_chains (placements_in (2 * m) s)))) -> nonzero (along t).
   Proof.
@@ -415,6 +424,18 @@ Proof.
   assert (is_open : is_no_fit p b (open_sum_of_regions p q))
     by now apply overlaps_by_open_sum, open_sum_of_regions_is_the_open_sum.
   destruct (quick_sum_is_valid p q) as [s_region s_simple]; trivial.
+  assert (b_regular : forall y radius, member y b -> 0 < radius ->
+    exists z, within radius (as_vector y) (as_vector z) /\ is_inner_point z b).
+  { intros y radius in_b R. apply (member_of_region y b b_region) in in_b.
+    destruct (inside_near _ _ radius (valid_is_regular _ b_region) in_b R) as (z & close & inner_z).
+    exists (as_point z). split; [exact close | now apply inner_point_of_valid]. }
+  assert (a_once : forall x, off x (region_edges (as_region a)) ->
+    winding_number x (region_edges (as_region a)) = 0%Z \/ winding_number x (region_edges (as_region a)) = 1%Z)
+    by (intros x; now apply valid_goes_round_once).
+  assert (s_once : forall x, off x (region_edges (as_region (open_chains (open_sum_of_regions p q)))) ->
+    winding_number x (region_edges (as_region (open_chains (open_sum_of_regions p q)))) = 0%Z \/
+    winding_number x (region_edges (as_region (open_chains (open_sum_of_regions p q)))) = 1%Z)
+    by (intros x; now apply valid_goes_round_once).
   split; [| split]; [now apply placements_are_the_inner_fit | now apply edges_of_the_fit_are_long |
     now apply chains_of_the_fit_are_regular].
 Qed.

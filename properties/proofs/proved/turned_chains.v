@@ -3,8 +3,8 @@
    that contains chains: around a point outside of it they do not go. For complements in a frame
    (inner_fit_program.v). *)
 From Coq Require Import QArith Lqa Qabs ZArith Lia Bool List Permutation.
-From Oplus Require Import regions_and_sums pieces kept_pieces_go_round sum_is_right region_of_pieces naive_collision
-  coordinates.
+From Oplus Require Import specification_bridge regions_and_sums pieces kept_pieces_go_round sum_is_right
+  region_of_pieces naive_collision coordinates.
 Import ListNotations.
 
 Open Scope Q_scope.

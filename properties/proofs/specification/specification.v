@@ -92,6 +92,11 @@ Definition fits (x : point) (f : placements) : Prop :=
 Definition is_inner_fit (a b : polygonal_region) (f : placements) : Prop :=
   forall x, fits x f <-> forall y, member y b -> member (sum_of_points x y) a.
 
+(* No point is inside two of the parts, and all of their points are points of the container, if there is one. *)
+Definition is_layout (container : option polygonal_region) (parts : list polygonal_region) : Prop :=
+  ForallOrdPairs (fun a b => forall x, ~ (is_inner_point x a /\ is_inner_point x b)) parts /\
+  forall c a x, container = Some c -> In a parts -> member x a -> member x c.
+
 (* Within less than the radius in both coordinates. *)
 Definition is_near (radius : Q) (a b : point) : Prop :=
   (- radius < x_of b - x_of a < radius) /\ (- radius < y_of b - y_of a < radius).
@@ -143,6 +148,16 @@ Definition is_closing (p q s : polygonal_region) : Prop :=
   forall x, member x s <-> closure (interior (is_moved_into q (fun y =>
     exists a b, member a p /\ member b q /\ equal_points y (sum_of_points a b)))) x.
 
+(* A checker is right if it accepts nothing but what it is to accept, whatever it is given as a certificate. *)
+Definition accepts_only_no_fits {certificate : Type} (accepts : polygonal_region -> polygonal_region -> open_region -> certificate -> bool) : Prop :=
+  forall a b s c, accepts a b s c = true -> is_no_fit a b s.
+
+Definition accepts_only_inner_fits {certificate : Type} (accepts : polygonal_region -> polygonal_region -> placements -> certificate -> bool) : Prop :=
+  forall a b f c, accepts a b f c = true -> is_inner_fit a b f.
+
+Definition accepts_only_layouts {certificate : Type} (accepts : option polygonal_region -> list polygonal_region -> certificate -> bool) : Prop :=
+  forall container parts c, accepts container parts c = true -> is_layout container parts.
+
 (* On the edge, and none of its ends. *)
 Definition is_within (x : point) (e : edge) : Prop :=
   is_on x e /\ ~ equal_points x (fst e) /\ ~ equal_points x (snd e).
@@ -156,3 +171,8 @@ Definition edges_touch_at_most (r : polygonal_region) : Prop :=
 Definition accepts_only_sums {certificate : Type} (accepts : polygonal_region -> polygonal_region -> polygonal_region -> certificate -> bool) : Prop :=
   forall p q s c, accepts p q s c = true ->
     is_minkowski_sum p q s /\ edges_touch_at_most p /\ edges_touch_at_most q /\ edges_touch_at_most s.
+
+(* The same of open sums. *)
+Definition accepts_only_open_sums {certificate : Type} (accepts : polygonal_region -> polygonal_region -> open_region -> certificate -> bool) : Prop :=
+  forall p q s c, accepts p q s c = true ->
+    is_open_sum p q s /\ edges_touch_at_most p /\ edges_touch_at_most q /\ edges_touch_at_most (open_chains s).

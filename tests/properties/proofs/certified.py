@@ -341,7 +341,8 @@ class Test(ProgramTest):
                 (4 * ["/nowhere"], 2, "/nowhere: No such file"), (4 * ["/"], 2, "/:1: Is a directory")):
             got, said = run([self.program, *arguments])
             self.expect("usage", " ".join(arguments), got == code and wanted in said, f"exit code {got}: {said}")
-        self.sources_told(run([self.program, "--trusted"])[1], "verdict.ml", "main.ml")
+        self.sources_told(run([self.program, "--trusted"])[1], "inputs.ml", "verdict.ml", "layout_verdict.ml",
+                          "placement_verdict.ml", "main.ml")
 
 
 def main():
