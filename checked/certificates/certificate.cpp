@@ -8,6 +8,7 @@
 #include "checked/certificates/frame_square.hpp"
 #include "checked/certificates/unit.hpp"
 #include "reference/chains/region_of.hpp"
+#include "reference/definitions/mutant.hpp"
 
 namespace oplus::certificates {
 
@@ -134,9 +135,13 @@ Certificate no_fit_certificate(const Region& p, const Region& q, const ClaimedSu
 // x + q does not meet p. There the sum is that of the whole square and -q.
 Certificate inner_fit_certificate(const Region& p, const Region& q, const ClaimedSum& s,
                                   const SumOf& sum) {
-  const Rational size = frame_size({&p, &q});
+  const Rational k = (OPLUS_MUTANT("inner-fits-have-another-frame",
+                                   "the certificate of an inner-fit polygon is for another square")
+                          ? 4
+                          : 5) *
+                     frame_size({&p, &q});
   const Region opposite = reflected(q);
-  const PlanarSet around = sum(polygon(square(5 * size)), opposite, Boundary::open);
+  const PlanarSet around = sum(polygon(square(k)), opposite, Boundary::open);
   ClaimedSum outer{region_of(around), around.dangling_edges, around.isolated_vertices};
   ClaimedSum open = outer;
   std::vector<Chain>& holes = open.region.components.back().holes;
@@ -145,7 +150,7 @@ Certificate inner_fit_certificate(const Region& p, const Region& q, const Claime
                              s.dangling_edges.end());
   open.isolated_vertices.insert(open.isolated_vertices.end(), s.isolated_vertices.begin(),
                                 s.isolated_vertices.end());
-  Certificate result = made(Claim::inner_fit, complement_in_square(5 * size, p), opposite, open);
+  Certificate result = made(Claim::inner_fit, complement_in_square(k, p), opposite, open);
   result.outer = std::move(outer);
   return result;
 }

@@ -120,9 +120,7 @@ void CertificateText::add(const Seam& seam) {
         add(coordinate);
       }
       add_place(place);
-      if (std::visit([&](const auto& where) { return Seam::Place(where); }, seam.intervals[i]) ==
-          place)
-        continue;
+      if (seam.intervals[i] == place) continue;
     }
     add_place(seam.intervals[i]);
   }

@@ -6,8 +6,9 @@
 
 namespace oplus {
 
-std::string certify(const ValidRegion& p, const ValidRegion& q, const ClaimedSum& given) {
-  const Verdict verdict = verify(p, q, given);
+std::string certify(const ValidRegion& p, const ValidRegion& q, const ClaimedSum& given,
+                    Boundary boundary) {
+  const Verdict verdict = verify(p, q, given, boundary);
   if (!verdict.is_sum()) {
     const Reason& first = verdict.reasons.front();
     throw InvalidInput({"S", 0, 0},
@@ -15,12 +16,18 @@ std::string certify(const ValidRegion& p, const ValidRegion& q, const ClaimedSum
                            "; at " + to_string(first.witness),
                        "the sum of P and Q");
   }
-  const Region sum =
-      mapped(given.region, [](const Point& vertex) { return Coordinates(vertex).point(); });
-  if (const auto vertex = certificates::repeated_vertex(sum))
+  const auto checked = [](const Point& point) { return Coordinates(point).point(); };
+  ClaimedSum sum{mapped(given.region, checked), {}, {}};
+  if (const auto vertex = certificates::repeated_vertex(sum.region))
     throw InvalidInput({"S", 0, 0}, "the vertex " + to_string(*vertex) + " twice in a row",
                        "an edge between them");
-  return written(certificates::certificate(p.region(), q.region(), sum));
+  if (boundary == Boundary::closed)
+    return written(certificates::certificate(p.region(), q.region(), sum.region));
+  for (const auto& [source, target] : given.dangling_edges)
+    sum.dangling_edges.push_back({checked(source), checked(target)});
+  for (const Point& point : given.isolated_vertices)
+    sum.isolated_vertices.push_back(checked(point));
+  return written(certificates::open_certificate(p.region(), q.region(), sum));
 }
 
 }  // namespace oplus

@@ -63,8 +63,14 @@ Seam Seams::seam(const Corner& from, const Corner& to, const IntegerLine& line, 
       // The two intervals overlap, so the point between them can be one whose coordinate is short.
       const Pair& pair = std::get<Pair>(stretch->interval);
       const Corner first = last_inside(pair, end, start, line);
+      const Rational low = coordinate(*first, line), high = coordinate(*end, line);
       seam.points.push_back(
-          {short_between(coordinate(*first, line), coordinate(*end, line)), pair});
+          {OPLUS_MUTANT(
+               "seams-change-sums-too-early",
+               "a seam of an open sum goes on in a sum of two pieces from where it enters that")
+               ? low
+               : short_between(low, high),
+           pair});
     } else {
       seam.points.push_back({coordinate(*end, line), feature_at(end)});
       stretch = longest(end, to, line, false);

@@ -23,9 +23,8 @@ struct IsolatedVertex {
 /// Shows of a segment inside the closure of an open sum that its points but the ends are in the sum, or on dangling edges
 /// and isolated vertices. Points divide it into intervals, one more than there are points.
 struct Seam {
-  /// In the sum of two pieces, its middle strictly inside; or on an edge.
-  using Interval = std::variant<PieceSums::Pair, DanglingEdge>;
-  /// Strictly inside the sum of two pieces; or on an edge, or a vertex.
+  /// Of a point: strictly inside the sum of two pieces, or on an edge, or a vertex. Of an interval: in the sum, and its
+  /// middle strictly inside; or on an edge.
   using Place = std::variant<PieceSums::Pair, DanglingEdge, IsolatedVertex>;
 
   struct Point {
@@ -33,7 +32,7 @@ struct Seam {
     Place place;
   };
 
-  std::vector<Interval> intervals;
+  std::vector<Place> intervals;
   std::vector<Point> points;
 
   /// Whether there is nothing to be written: one interval, in the pair that is tried first.
@@ -58,7 +57,7 @@ class Seams {
 
   /// An interval of a seam, and where it ends.
   struct Stretch {
-    Seam::Interval interval;
+    Seam::Place interval;
     Corner end;
   };
 

@@ -495,14 +495,15 @@ ClaimedSum read_claimed_sum(const std::string& text);
 /// The same of a sum from here, with its own boundary().
 Verdict verify(const ValidRegion& p, const ValidRegion& q, const ValidSet& sum);
 
-/// Returns the text of a certificate that a given set is the closed sum of P and Q, which the program
+/// Returns the text of a certificate that a given set is the sum of P and Q, closed or open, which the program
 /// oplus-certified checks (docs/certificates.md). Its vertices are numbered in the order of the regions, so the
 /// three are to be written with their chains and vertices in this order, as to_wkt does. Throws InvalidInput,
 /// with the first reason of verify, where it is not the sum; where a vertex of it equals the next one;
 /// and as verify does. Cost: that of verify, and of cutting all three into convex pieces.
 ///
 /// Example: certify(p, q, {sum.region().region(), {}, {}}).
-std::string certify(const ValidRegion& p, const ValidRegion& q, const ClaimedSum& given);
+std::string certify(const ValidRegion& p, const ValidRegion& q, const ClaimedSum& given,
+                    Boundary boundary = Boundary::closed);
 
 /// What rounding returns.
 struct Rounded {

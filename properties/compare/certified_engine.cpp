@@ -18,20 +18,24 @@ namespace {
 
 using Kind = EngineFailure::Kind;
 
-std::string certificate_of(const Region& p, const Region& q, const Region& sum) {
+std::string certificate_of(const Region& p, const Region& q, const ClaimedSum& sum,
+                           Boundary boundary) {
   try {
-    return certificates::written(certificates::certificate(p, q, sum));
+    return written(boundary == Boundary::closed ? certificates::certificate(p, q, sum.region)
+                                                : certificates::open_certificate(p, q, sum));
   } catch (const certificates::PointOutsideSum& e) {
     throw EngineFailure(Kind::crashed, "no certificate",
                         std::string("no certificate: ") + e.what());
   }
 }
 
-PlanarSet certified_sum(const Region& p, const Region& q, const ProcessLimits& limits) {
-  PlanarSet sum = find_engine(engines(), "slide")->compute(p, q, Boundary::closed, {}).sum;
-  const Region region = region_of(sum);
+PlanarSet certified_sum(const Region& p, const Region& q, Boundary boundary,
+                        const ProcessLimits& limits) {
+  PlanarSet sum = find_engine(engines(), "slide")->compute(p, q, boundary, {}).sum;
+  const ClaimedSum given{region_of(sum), sum.dangling_edges, sum.isolated_vertices};
   const EndedProcess ended =
-      checked_certificate(p, q, region, certificate_of(p, q, region), limits);
+      checked_certificate(boundary == Boundary::closed ? "sum" : "open-sum", p, q, given,
+                          certificate_of(p, q, given, boundary), limits);
   if (ended.how == EndedProcess::How::interrupted)
     throw std::system_error(std::make_error_code(std::errc::interrupted));
   if (ended.how == EndedProcess::How::over_time)
@@ -44,22 +48,26 @@ PlanarSet certified_sum(const Region& p, const Region& q, const ProcessLimits& l
 
 }  // namespace
 
-EndedProcess checked_certificate(const Region& p, const Region& q, const Region& sum,
-                                 const std::string& certificate, const ProcessLimits& limits) {
+EndedProcess checked_certificate(const std::string& claim, const Region& p, const Region& q,
+                                 const ClaimedSum& set, const std::string& certificate,
+                                 const ProcessLimits& limits) {
   const TemporaryFolder folder("oplus-certified");
   const auto file = [&](const char* name, const std::string& text) {
     const std::string path = folder.path() / name;
     write_file(path, text);
     return path;
   };
-  return run_program({program_beside("oplus-certified"), file("p.wkt", written(p, Format::wkt)),
-                      file("q.wkt", written(q, Format::wkt)),
-                      file("sum.wkt", written(sum, Format::wkt)), file("certificate", certificate)},
-                     limits);
+  const PlanarSet features{{}, {}, set.dangling_edges, set.isolated_vertices};
+  return run_program(
+      {program_beside("oplus-certified"), claim, file("p.wkt", wkt(p)), file("q.wkt", wkt(q)),
+       file("set.wkt", written(features, set.region, Format::wkt)),
+       file("certificate", certificate)},
+      limits);
 }
 
 bool says_certified(const EndedProcess& ended) {
-  return ended.how == EndedProcess::How::exited && ended.code == 0 && ended.output == "certified\n";
+  return ended.how == EndedProcess::How::exited && ended.code == 0 &&
+         ended.output.starts_with("certified: ");
 }
 
 Engine certified_engine(ProcessLimits limits) {
@@ -69,11 +77,9 @@ Engine certified_engine(ProcessLimits limits) {
 #endif
   Engine engine =
       named_engine("certified", [limits](const Region& p, const Region& q, Boundary boundary) {
-        if (boundary == Boundary::open)
-          throw EngineFailure(Kind::open_unsupported, "open", "open sums have no certificates");
-        return certified_sum(p, q, limits);
+        return certified_sum(p, q, boundary, limits);
       });
-  engine.what = "slide's closed sum with a certificate that oplus-certified accepts";
+  engine.what = "slide's sums with certificates that oplus-certified accepts";
   return engine;
 }
 

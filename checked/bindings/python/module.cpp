@@ -75,24 +75,29 @@ ClaimedSum given_of(py::handle value) {
   return given;
 }
 
+/// The one that is named, else that of a set, else closed.
+Boundary boundary_of_given(py::handle value, const std::optional<std::string>& boundary) {
+  if (boundary) return boundary_of(*boundary);
+  return py::isinstance<ValidSet>(value) ? value.cast<const ValidSet&>().boundary()
+                                         : Boundary::closed;
+}
+
 Verdict verify_of(py::handle p_value, py::handle q_value, py::handle value,
                   const std::optional<std::string>& boundary) {
   const PreparedRegion p = region_of(p_value), q = region_of(q_value);
   const ClaimedSum given = given_of(value);
-  Boundary of_given = Boundary::closed;
-  if (boundary)
-    of_given = boundary_of(*boundary);
-  else if (py::isinstance<ValidSet>(value))
-    of_given = value.cast<const ValidSet&>().boundary();
+  const Boundary of_given = boundary_of_given(value, boundary);
   const Unlocked released;
   return verify(p.region(), q.region(), given, of_given);
 }
 
-std::string certify_of(py::handle p_value, py::handle q_value, py::handle value) {
+std::string certify_of(py::handle p_value, py::handle q_value, py::handle value,
+                       const std::optional<std::string>& boundary) {
   const PreparedRegion p = region_of(p_value), q = region_of(q_value);
   const ClaimedSum given = given_of(value);
+  const Boundary of_given = boundary_of_given(value, boundary);
   const Unlocked released;
-  return certify(p.region(), q.region(), given);
+  return certify(p.region(), q.region(), given, of_given);
 }
 
 Side side_of(const std::string& name) {
@@ -258,18 +263,19 @@ unbounded.
 >>> bool(verdict), verdict.reasons
 (False, [<oplus.Reason: in the sum but not given>])
 )");
-  m.def("certify", certify_of, py::arg("p"), py::arg("q"), py::arg("given"), R"(certify(p, q, given)
+  m.def("certify", certify_of, py::arg("p"), py::arg("q"), py::arg("given"), py::kw_only(),
+        py::arg("boundary") = py::none(), R"(certify(p, q, given, *, boundary=None)
 --
 
-Returns the text of a certificate that `given` is the closed sum of p and q, for the program
+Returns the text of a certificate that `given` is the sum of p and q, for the program
 oplus-certified, which is proved. It reads p, q and `given` as files, with chains and vertices in
-the same order: what to_wkt returns. `given` is whatever verify takes. Raises InvalidInput, with the
-first reason of verify, where it is not the sum.
+the same order: what to_wkt returns. `given` and `boundary` are whatever verify takes. Raises InvalidInput,
+with the first reason of verify, where it is not the sum.
 
 >>> square = oplus.Region([[0, 0], [1, 0], [1, 1], [0, 1]])
 >>> certificate = oplus.certify(square, square, oplus.minkowski_sum(square, square))
 >>> certificate.splitlines()[0]
-'oplus certificate 1'
+'oplus certificate 2'
 )");
   m.def("rounded", rounded_of, py::arg("value"), py::arg("step"), py::arg("side") = "nearest",
         R"(rounded(value, step, side='nearest')

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <optional>
 #include <string>
 
 #include "checked/certificates/certificate.hpp"
+#include "checked/operations/operations.hpp"
+#include "checked/slide/slide.hpp"
 #include "properties/compare/certified_engine.hpp"
 #include "properties/runner/registry.hpp"
 #include "reference/chains/region_of.hpp"
@@ -11,36 +14,111 @@ namespace oplus {
 
 namespace {
 
-Outcome check(const Summands& summands) {
-  Outcome outcome;
-  const auto& [p, q] = summands;
-  if (!can_certify()) return outcome.fail("oplus-certified was not built");
-  const ProcessLimits limits{.is_quiet = true};
-  const PlanarSet sum = oracle_sums(p, q).closed;
-  const Region region = region_of(sum);
-  const std::string certificate = certificates::written(certificates::certificate(p, q, region));
-  const EndedProcess ended = checked_certificate(p, q, region, certificate, limits);
-  if (!says_certified(ended))
-    return outcome.fail("the oracle's sum is not certified: " + ended.output + ended.errors);
+const ProcessLimits limits{.is_quiet = true};
 
-  const auto accepts = [&](const Region& given) {
-    ++outcome.counts["wrong sums"];
-    return says_certified(checked_certificate(p, q, given, certificate, limits));
-  };
-  if (accepts(translated(region, {1, 0}))) return outcome.fail("a translated sum is certified");
-  for (std::size_t i = 0; i < sum.holes.size(); ++i) {
-    PlanarSet filled = sum;
-    filled.holes.erase(filled.holes.begin() + static_cast<std::ptrdiff_t>(i));
-    if (accepts(region_of(filled)))
-      return outcome.fail("a sum without one of its holes is certified");
+ClaimedSum as_given(const PlanarSet& set) {
+  return {region_of(set), set.dangling_edges, set.isolated_vertices};
+}
+
+/// A set that was computed, and what makes a certificate for it or another one.
+struct Claimed {
+  std::string claim;
+  PlanarSet set;
+  std::function<certificates::Certificate(const ClaimedSum& set)> certificate;
+};
+
+class Claims {
+ public:
+  explicit Claims(const Summands& summands) : p_(summands.p), q_(summands.q) {}
+
+  Outcome outcome;
+
+  /// Whether the set is certified, and no set that is damaged.
+  bool are_right(const Claimed& claimed) {
+    const auto& [claim, set, certificate] = claimed;
+    const ClaimedSum given = as_given(set);
+    const std::string right = written(certificate(given));
+    const EndedProcess ended = checked_certificate(claim, p_, q_, given, right, limits);
+    if (!says_certified(ended))
+      return fails(claim + ": the right set is not certified: " + ended.output + ended.errors);
+
+    const auto accepts = [&](const ClaimedSum& wrong) {
+      ++outcome.counts["wrong sets"];
+      return says_certified(checked_certificate(claim, p_, q_, wrong, right, limits));
+    };
+    if (!given.region.components.empty() &&
+        accepts({translated(given.region, {1, 0}), given.dangling_edges, given.isolated_vertices}))
+      return fails(claim + ": a translated set is certified");
+    for (std::size_t i = 0; i < set.holes.size(); ++i) {
+      PlanarSet filled = set;
+      filled.holes.erase(filled.holes.begin() + static_cast<std::ptrdiff_t>(i));
+      if (accepts(as_given(filled)))
+        return fails(claim + ": a set without one of its holes is certified");
+      if (claim == "ifp") continue;  // what lacks placements has a certificate, which is refused
+      if (has_certificate(certificate, as_given(filled)))
+        return fails(claim + ": a certificate is found for a set without one of its holes");
+    }
+    ClaimedSum without_edge = given, without_vertex = given;
+    if (!given.dangling_edges.empty()) {
+      without_edge.dangling_edges.pop_back();
+      if (!lacks_certificate(claimed, without_edge, accepts)) return false;
+    }
+    if (!given.isolated_vertices.empty()) {
+      without_vertex.isolated_vertices.pop_back();
+      if (!lacks_certificate(claimed, without_vertex, accepts)) return false;
+    }
+    return true;
+  }
+
+ private:
+  bool fails(const std::string& why) {
+    outcome.fail(why);
+    return false;
+  }
+
+  bool has_certificate(const auto& certificate, const ClaimedSum& set) {
     try {
-      certificates::certificate(p, q, region_of(filled));
-      return outcome.fail("a certificate is found for a sum without one of its holes");
+      certificate(set);
+      return true;
     } catch (const certificates::PointOutsideSum&) {
       ++outcome.counts["no certificate"];
+      return false;
     }
   }
-  return outcome;
+
+  /// An edge or a vertex is missing, so there is a point that is no sum and no seam goes through it.
+  bool lacks_certificate(const Claimed& claimed, const ClaimedSum& wrong, const auto& accepts) {
+    if (accepts(wrong))
+      return fails(claimed.claim + ": a set without one of its edges or vertices is certified");
+    if (has_certificate(claimed.certificate, wrong))
+      return fails(claimed.claim +
+                   ": a certificate is found for a set without one of its edges or vertices");
+    return true;
+  }
+
+  const Region &p_, &q_;
+};
+
+Outcome check(const Summands& summands) {
+  Claims claims(summands);
+  const auto& [p, q] = summands;
+  if (!can_certify()) return claims.outcome.fail("oplus-certified was not built");
+  const auto sums = oracle_sums(p, q);
+  const SumOf slide = [](const Region& a, const Region& b, Boundary boundary) {
+    return slide_sum(a, b, boundary).sum;
+  };
+  const Claimed all[] = {
+      {"sum", sums.closed,
+       [&](const ClaimedSum& s) { return certificates::certificate(p, q, s.region); }},
+      {"open-sum", sums.open,
+       [&](const ClaimedSum& s) { return certificates::open_certificate(p, q, s); }},
+      {"nfp", no_fit(p, q, slide),
+       [&](const ClaimedSum& s) { return certificates::no_fit_certificate(p, q, s); }},
+      {"ifp", inner_fit(p, q, slide),
+       [&](const ClaimedSum& s) { return certificates::inner_fit_certificate(p, q, s, slide); }}};
+  for (const Claimed& claimed : all)
+    if (!claims.are_right(claimed)) break;
+  return claims.outcome;
 }
 
 const Registered registered({
@@ -55,7 +133,8 @@ const Registered registered({
                  {"reflex vertices", 10},
                  {"parallel edges", 40},
                  {"overlapping segments", 5}},
-    .kills = {"cells-stick-out-of-sums", "cuts-swap-their-sides"},
+    .kills = {"cells-stick-out-of-sums", "cuts-swap-their-sides", "seams-run-along-sides",
+              "seams-change-sums-too-early", "inner-fits-have-another-frame"},
     .cases = 100,
     .check = check,
 });

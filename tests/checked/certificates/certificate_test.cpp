@@ -21,8 +21,8 @@ Region sum_of(const Region& p, const Region& q) {
 /// The program that is proved right accepts a sum with the certificate that is made for it.
 /// tests/properties/proofs/certified_sums_test.cpp asks it about sums of all families, and about damaged ones.
 void expect_certified(const Region& p, const Region& q, const Region& s, const std::string& what) {
-  const EndedProcess ended =
-      checked_certificate(p, q, s, written(certificate(p, q, s)), {.is_quiet = true});
+  const EndedProcess ended = checked_certificate("sum", p, q, {s, {}, {}},
+                                                 written(certificate(p, q, s)), {.is_quiet = true});
   EXPECT_TRUE(says_certified(ended)) << what << ": " << ended.output << ended.errors;
 }
 
@@ -38,7 +38,7 @@ TEST(Certificate, of_empty_regions) {
   expect_certified({}, square, {}, "P is empty");
   expect_certified(square, {}, {}, "Q is empty");
   EXPECT_EQ(written(certificate({}, {}, {})),
-            "oplus certificate 1\nunit 1\nsummand p\npoints 0\npieces 0\nlinks 0\n"
+            "oplus certificate 2\nclaim sum\nunit 1\nsummand p\npoints 0\npieces 0\nlinks 0\n"
             "summand q\npoints 0\npieces 0\nlinks 0\nsum\npoints 0\npieces 0\nend\n");
 }
 
@@ -89,9 +89,10 @@ TEST(Certificate, is_written_line_by_line) {
   made.q.pieces.pieces = {{0, 1, 2, 3}};
   made.sum.points = {{4, {Rational(7, 2), 3}}};
   made.sum.pieces = {{0, 1, 2}};
-  made.trees = {{IntegerLine{3, -4, 17}, PieceSums::Pair{0, 0}, PieceSums::Pair{1, 0}}};
+  made.trees = {{Cut{{3, -4, 17}, {}}, PieceSums::Pair{0, 0}, PieceSums::Pair{1, 0}}};
   EXPECT_EQ(written(made),
-            "oplus certificate 1\n"
+            "oplus certificate 2\n"
+            "claim sum\n"
             "unit 2\n"
             "summand p\npoints 0\npieces 2\n0 1 2 3\n3 4 5 0\nlinks 1\n0 1\n"
             "summand q\npoints 0\npieces 1\n0 1 2 3\nlinks 0\n"
@@ -111,7 +112,7 @@ TEST(Certificate, none_is_written_that_is_larger_than_is_read) {
   const auto of_tree = [](std::size_t cuts) {
     Certificate made;
     made.sum.pieces = {{0, 1, 2}};
-    made.trees = {Tree(cuts, IntegerLine{1, 0, 0})};
+    made.trees = {Tree(cuts, Cut{{1, 0, 0}, {}})};
     made.trees[0].insert(made.trees[0].end(), cuts + 1, PieceSums::Pair{0, 0});
     return made;
   };

@@ -13,7 +13,7 @@ TEST(PieceSums, sides_of_a_square_and_a_triangle) {
   const ConvexPieces p =
       pieces::convex_pieces(polygon(box(0, 0, Rational(1, 2), Rational(1, 2))), 8);
   const ConvexPieces q = pieces::convex_pieces(polygon({{0, 0}, {1, 0}, {0, 1}}), 8);
-  PieceSums sums(p, q, {});
+  PieceSums sums(p, q, {}, 0);
   std::vector<std::string> lines;
   for (std::size_t side = 0; side < 7; ++side) {
     const auto& [a, b, c] = sums.exact_side({0, 0}, side);
@@ -28,7 +28,7 @@ TEST(PieceSums, sides_of_a_square_and_a_triangle) {
 TEST(PieceSums, doubles_are_near_to_the_exact_sides) {
   const auto [p, q] = generate(*find_family("star"), 20, 1);
   const ConvexPieces of_p = pieces::convex_pieces(p, 8), of_q = pieces::convex_pieces(q, 8);
-  PieceSums sums(of_p, of_q, {});
+  PieceSums sums(of_p, of_q, {}, 0);
   std::vector<HalfPlane> sides;
   for (std::uint32_t i = 0; i < of_p.pieces.size(); ++i) {
     sums.sides({i, 0}, sides);
@@ -46,7 +46,7 @@ TEST(PieceSums, doubles_are_near_to_the_exact_sides) {
 TEST(PieceSums, pairs_in_boxes_around_a_place_are_all_that_contain_it) {
   const auto [p, q] = generate(*find_family("simple"), 40, 1);
   const ConvexPieces of_p = pieces::convex_pieces(p, 8), of_q = pieces::convex_pieces(q, 8);
-  const PieceSums sums(of_p, of_q, {});
+  const PieceSums sums(of_p, of_q, {}, 0);
   std::vector<HalfPlane> sides;
   std::size_t containing = 0;
   for (const Point& a : of_p.vertices) {

@@ -35,6 +35,18 @@ TEST_F(LayoutCommand, says_right_or_wrong_by_its_exit_code) {
   EXPECT_TRUE(has(forgiven.out, "\n1 overlap is forgiven\n"));
 }
 
+TEST_F(LayoutCommand, writes_parts_where_they_lie_and_the_container) {
+  put("turned.json", R"({"container": [[0, 0], [4, 0], [4, 4], [0, 4]],
+    "parts": {"a": [[0, 0], [2, 0], [2, 1], [0, 1]]},
+    "placements": [{"part": "a", "at": [3, 1], "rotation": 90}, {"part": "a", "at": ["1/3", 3]}]})");
+  expect_output(
+      "oplus layout turned.json --format wkt",
+      "POLYGON ((3 1, 3 3, 2 3, 2 1, 3 1))\nPOLYGON ((1/3 3, 7/3 3, 7/3 4, 1/3 4, 1/3 3))\n");
+  expect_output("oplus layout turned.json --format container",
+                "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0))\n");
+  expect_output("oplus layout parts.wkt --format container", "POLYGON EMPTY\n");
+}
+
 TEST_F(LayoutCommand, answers_in_json_and_in_pictures) {
   const auto answer = nlohmann::json::parse(run("oplus layout wrong.wkt --format json").out);
   EXPECT_EQ(answer["answer"], "wrong");

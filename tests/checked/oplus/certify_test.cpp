@@ -20,7 +20,7 @@ std::string refusal(const ClaimedSum& given) {
 TEST(Certify, a_certificate_of_the_sum) {
   const std::string text =
       certify(square, square, {minkowski_sum(square, square).region().region(), {}, {}});
-  EXPECT_TRUE(text.starts_with("oplus certificate 1\nunit 1\nsummand p\n"));
+  EXPECT_TRUE(text.starts_with("oplus certificate 2\nclaim sum\nunit 1\nsummand p\n"));
   EXPECT_TRUE(text.ends_with("\nend\n"));
 }
 
@@ -55,16 +55,19 @@ TEST(Certify, what_is_not_the_sum_is_refused_with_the_reason) {
   EXPECT_NE(refusal(with_point).find("at (5, 5)"), std::string::npos) << refusal(with_point);
 }
 
-TEST(Certify, it_is_the_sum_of_the_closed_regions) {
+TEST(Certify, sums_of_closed_regions_and_of_their_interiors) {
   const ValidRegion frame =
       polygon({{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{{1, 1}, {1, 3}, {3, 3}, {3, 1}}});
   const ValidRegion part = polygon({{0, 0}, {2, 0}, {2, 2}, {0, 2}});
   const ValidSet open = minkowski_sum(frame, part, {.boundary = Boundary::open});
   ASSERT_EQ(open.isolated_vertices().size(), 1u);
-  EXPECT_THROW(certify(frame, part,
-                       {open.region().region(), open.dangling_edges(), open.isolated_vertices()}),
-               InvalidInput);
-  EXPECT_NE(certify(frame, part, {open.region().region(), {}, {}}), "");
+  const ClaimedSum given{open.region().region(), open.dangling_edges(), open.isolated_vertices()};
+  const ClaimedSum without_points{given.region, {}, {}};
+  EXPECT_THROW(certify(frame, part, given), InvalidInput);
+  EXPECT_NE(certify(frame, part, without_points), "");
+  EXPECT_TRUE(certify(frame, part, given, Boundary::open)
+                  .starts_with("oplus certificate 2\nclaim open-sum\n"));
+  EXPECT_THROW(certify(frame, part, without_points, Boundary::open), InvalidInput);
 }
 
 TEST(Certify, a_vertex_may_not_repeat_the_one_before) {

@@ -163,7 +163,7 @@ def test_false_certificates_are_refused(page):
     false = {
         right.replace("in 1 0", "in 0 0"): "Refused: not certified: piece 1 of S, ",
         right.replace("0 3 4 5", "0 1 4 5", 1): "Refused: not certified: the pieces of P are not convex, or are not P.",
-        right.replace("unit 1\n", "unit 0\n", 1): "Refused: certificate:2: the unit is 0; expected a positive number.",
+        right.replace("unit 1\n", "unit 0\n", 1): "Refused: certificate:3: the unit is 0; expected a positive number.",
         right[:-4]: "Refused: certificate:",
         "nonsense": "Refused: certificate:1: 'nonsense'; expected 'oplus'.",
     }
