@@ -96,6 +96,8 @@ set_tests_properties(proofs.smt PROPERTIES LABELS proofs)
 # What the pages of docs/ draw, link to and name.
 add_test(NAME docs.pages
          COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_SOURCE_DIR}/docs/pages_test.py $<TARGET_FILE:oplus>)
+add_test(NAME docs.parallel
+         COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_SOURCE_DIR}/docs/parallel_test.py $<TARGET_FILE:oplus>)
 # What docs/benchmarks.md and docs/experiments are made with, on a program that stands for oplus-bench.
 add_test(NAME docs.benchmarks
          COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_SOURCE_DIR}/bench/table_test.py)
