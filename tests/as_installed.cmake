@@ -33,6 +33,10 @@ add_test(NAME python.package
          COMMAND ${CMAKE_COMMAND} -E env PYTHONPATH=${PROJECT_BINARY_DIR}/python
                  ${Python_EXECUTABLE} -B -m pytest -q -p no:cacheprovider ${CMAKE_CURRENT_SOURCE_DIR}/checked/bindings/python)
 
+add_test(NAME docs.nesting
+         COMMAND ${CMAKE_COMMAND} -E env PYTHONPATH=${PROJECT_BINARY_DIR}/python
+                 ${Python_EXECUTABLE} -B ${CMAKE_CURRENT_SOURCE_DIR}/docs/nesting_test.py $<TARGET_FILE:oplus>)
+
 # The page (docs/web.md).
 set(page ${CMAKE_CURRENT_BINARY_DIR}/page)
 add_test(NAME page.build COMMAND ${CMAKE_COMMAND} -E env OPLUS_WARNINGS_ARE_ERRORS=ON OPLUS_BUILD=${PROJECT_BINARY_DIR}

@@ -9,9 +9,9 @@ packages=(g++ cmake ninja-build ccache python3
           help2man dpkg-dev)  # manual pages, and packages
 # More for tests/run.
 packages_of_tests=(clang libclang-rt-14-dev git clang-format make time libgtest-dev libbenchmark-dev
-                   jq z3 cvc5
+                   jq parallel z3 cvc5
                    pybind11-dev python3-dev python3-numpy python3-shapely python3-pytest
-                   python3-hypothesis python3-matplotlib)
+                   python3-hypothesis)
 # More for tests/run --everything.
 packages_of_everything=(gnuplot-nox
                         mmdebstrap lintian doxygen python3-sphinx python3-breathe

@@ -24,6 +24,8 @@ endif()
 oplus_tests_by_file(oplus-tests "" ${test_sources})
 add_test(NAME checked/cli/cases
          COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_SOURCE_DIR}/checked/cli/cases_test.py $<TARGET_FILE:oplus>)
+add_test(NAME checked/cli/lasting-batches
+         COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_SOURCE_DIR}/checked/cli/lasting_batches_test.py $<TARGET_FILE:oplus>)
 
 # The fuzz targets find them, too.
 add_executable(oplus-planted-faults properties/fuzz/planted_faults.cpp)
@@ -91,6 +93,8 @@ set_tests_properties(proofs.smt PROPERTIES LABELS proofs)
 # What the pages of docs/ draw, link to and name.
 add_test(NAME docs.pages
          COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_SOURCE_DIR}/docs/pages_test.py $<TARGET_FILE:oplus>)
+add_test(NAME docs.parallel
+         COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_SOURCE_DIR}/docs/parallel_test.py $<TARGET_FILE:oplus>)
 # What docs/benchmarks.md and docs/experiments are made with, on a program that stands for oplus-bench.
 add_test(NAME docs.benchmarks
          COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_SOURCE_DIR}/bench/table_test.py)

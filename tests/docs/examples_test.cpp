@@ -30,7 +30,8 @@ TEST_F(Examples, draw_their_pictures) {
   const std::string page = text_of_file(examples / "README.md");
   std::size_t pictures = 0, folders = 0;
   for (const auto& folder : fs::directory_iterator(examples)) {
-    if (!fs::exists(folder.path() / "run")) continue;
+    // The nesting needs the Python package: nesting_test.py.
+    if (!fs::exists(folder.path() / "run") || folder.path().filename() == "nesting") continue;
     ++folders;
     const std::string name = folder.path().filename().string();
     const Ran ran = run_example(name);
@@ -53,10 +54,10 @@ TEST_F(Examples, draw_their_pictures) {
 TEST_F(Examples, are_what_their_page_says) {
   const std::string page = text_of_file(examples / "README.md");
   std::string scripts;
-  for (const std::string name : {"robot", "nesting", "offset"})
+  for (const std::string name : {"robot", "no_fit", "nesting", "offset"})
     scripts += text_of_file(examples / name / "run");
   const std::vector<std::string> commands = commands_of(page);
-  EXPECT_EQ(commands.size(), 5U);
+  EXPECT_EQ(commands.size(), 6U);
   for (const std::string& command : commands)
     EXPECT_NE(scripts.find("\n" + command + "\n"), std::string::npos) << command;
   for (const std::string& link : found(page, "\\]\\(([^)]+)\\)"))
@@ -91,7 +92,7 @@ TEST_F(Examples, the_door_is_an_edge_that_only_the_open_sum_has) {
   EXPECT_EQ(door.at("equal"), false);
   EXPECT_EQ(door.at("first").at("dangling_edges"), 1);
   EXPECT_EQ(door.at("second").at("dangling_edges"), 0);
-  ASSERT_EQ(run_example("nesting").exit_code, 0);
+  ASSERT_EQ(run_example("no_fit").exit_code, 0);
   EXPECT_NE(content("no_fit.wkt").find("POINT (1 2)"), std::string::npos);
   ASSERT_EQ(run_example("offset").exit_code, 0);
   EXPECT_NE(content("around.wkt").find("LINESTRING (8 5, 8 8.4), POINT (3 3)"), std::string::npos);

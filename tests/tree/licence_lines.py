@@ -15,7 +15,7 @@ CORE = ("reference/definitions", "reference/arithmetic", "reference/chains", "re
         "checked/operations", "checked/oplus", "checked/oplus/internal",
         "checked/pieces", "checked/repair", "checked/rounding", "checked/slide", "checked/verify")
 # What users copy from.
-EXAMPLES = ("docs/examples/cpp", "checked/bindings/python/examples", "tests/consumer")
+EXAMPLES = ("docs/examples/cpp", "docs/examples/nesting", "tests/consumer")
 PYTHON = ("checked/bindings/python", "checked/bindings/python/oplus")
 PAGE = ("checked/bindings/page",)
 INSTALL = ("checked/install",)

@@ -17,25 +17,28 @@
 
 namespace oplus {
 
+FileLock::FileLock(const std::string& path)
+    : descriptor_(::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
+  if (descriptor_ < 0) throw UsageError("cannot write " + path + ": " + std::strerror(errno));
+  // A file system without locks has no such guard.
+  if (::flock(descriptor_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
+  ::close(descriptor_);
+  throw UsageError("another oplus is writing " + path);
+}
+
+FileLock::~FileLock() { ::close(descriptor_); }
+
 LastingOutput::LastingOutput(const std::string& path, std::optional<Job> job, bool resumes)
     : path_(path), job_(std::move(job)) {
   if (!resumes) {
     output_.emplace(path);
     return;
   }
-  lock_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-  if (lock_ < 0) throw UsageError("cannot write " + path + ": " + std::strerror(errno));
-  // A file system without locks has no such guard.
-  if (::flock(lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
-    throw UsageError("another oplus is writing " + path);
+  lock_ = std::make_unique<FileLock>(path);
   if (std::filesystem::file_size(path) > 0)
     keep_lines();
   else
     write_job(*job_, path);
-}
-
-LastingOutput::~LastingOutput() {
-  if (lock_ >= 0) ::close(lock_);
 }
 
 void LastingOutput::keep_lines() {

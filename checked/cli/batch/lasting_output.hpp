@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -11,6 +12,19 @@
 #include "checked/cli/command_line/outputs.hpp"
 
 namespace oplus {
+
+/// A file that no other FileLock has as long as this one lives. It is made if it does not exist.
+class FileLock {
+ public:
+  /// Throws UsageError, also where another one has it.
+  explicit FileLock(const std::string& path);
+  FileLock(const FileLock&) = delete;
+  FileLock& operator=(const FileLock&) = delete;
+  ~FileLock();
+
+ private:
+  int descriptor_;
+};
 
 /// Where the lines of a batch go. One that resumes extends its file at once, and keeps the lines that are there
 /// if they are of its job:
@@ -23,9 +37,6 @@ class LastingOutput {
   /// resumes the same file.
   /// Requires: the output of a job is a file.
   LastingOutput(const std::string& path, std::optional<Job> job, bool resumes);
-  LastingOutput(const LastingOutput&) = delete;
-  LastingOutput& operator=(const LastingOutput&) = delete;
-  ~LastingOutput();
 
   /// How many lines need not be written any more. The first one that is written is the last one that is kept, if
   /// there is one.
@@ -43,7 +54,7 @@ class LastingOutput {
 
   std::string path_;
   std::optional<Job> job_;
-  int lock_ = -1;
+  std::unique_ptr<FileLock> lock_;
   Results counts_;
   std::size_t bytes_kept_ = 0;
   std::string last_line_;  ///< of those kept, until it was compared

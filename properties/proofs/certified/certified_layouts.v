@@ -21,7 +21,7 @@ Lemma certified_pieces (r : polygonal_region * region_certificate) :
 Proof. intros certified. apply Forall_forall. exact (pieces_of_polygons_are_convex _ _ _ certified). Qed.
 
 Definition regions_are_apart (r s : polygonal_region * region_certificate) : Prop :=
-  forall t u, In t (its_pieces r) -> In u (its_pieces s) -> are_apart t u.
+  forall t u, In t (its_pieces r) -> In u (its_pieces s) -> are_apart_by_a_line t u.
 
 (* A point of the one has no square around it of points of the other. *)
 Lemma not_all_around (r s : polygonal_region * region_certificate) (x : point) (radius : Q) :
@@ -78,8 +78,8 @@ Qed.
 
 (** The whole *)
 
-Lemma pairs_of_parts {Whole Part : Type} (related : Part -> Part -> Prop) (f : Whole -> list Part) (l : list Whole) :
-  ForallOrdPairs related (flat_map f l) ->
+Lemma pairs_within_parts {Whole Part : Type} (related : Part -> Part -> Prop) (f : Whole -> list Part)
+  (l : list Whole) : ForallOrdPairs related (flat_map f l) ->
   ForallOrdPairs (fun a b => forall c d, In c (f a) -> In d (f b) -> related c d) l.
 Proof.
   induction l as [| a l IH]; cbn [flat_map]; intros pairs; [constructor |].
@@ -107,7 +107,7 @@ Proof.
   destruct (first_failure is_certified 0 regions) eqn:passed; [discriminate |].
   pose proof (no_failure _ _ _ passed) as certified. split; [exact certified |].
   destruct (found_overlap _ _) as [[t u] |] eqn:none; [discriminate |]. apply no_overlap_is_found in none.
-  - exact (pairs_of_parts _ _ _ none).
+  - exact (pairs_within_parts _ _ _ none).
   - apply Forall_flat_map, Forall_forall. intros r R. now apply certified_pieces, certified.
 Qed.
 
@@ -135,7 +135,7 @@ Proof.
   destruct (not_all_around part outside x radius) as (y & close & _ & not_outside); trivial.
   - apply certified. now right.
   - apply certified. now left.
-  - intros t u T U. now apply are_apart_exchanged, first_.
+  - intros t u T U. now apply apart_exchanged, first_.
   - now rewrite is_a.
   - apply not_outside. rewrite is_outside. now apply near.
 Qed.

@@ -13,10 +13,10 @@ Open Scope Q_scope.
 (** Two pieces *)
 
 (* In some direction no corner of t is farther than a corner of u. *)
-Definition are_apart (t u : piece) : Prop := exists n, nonzero n /\
+Definition are_apart_by_a_line (t u : piece) : Prop := exists n, nonzero n /\
   forall a b, In a (corners_of t) -> In b (corners_of u) -> dot n (vector_of a) <= dot n (vector_of b).
 
-Lemma are_apart_exchanged (t u : piece) : are_apart t u -> are_apart u t.
+Lemma apart_exchanged (t u : piece) : are_apart_by_a_line t u -> are_apart_by_a_line u t.
 Proof.
   intros (n & some & less). exists (opposite_of n). split; [now apply opposite_is_nonzero |]. intros a b A B.
   rewrite !dot_opposite_of. specialize (less b a B A). lra.
@@ -44,8 +44,8 @@ Proof.
 Qed.
 
 (* Pieces that are apart from it have no such points. *)
-Lemma strictly_in_alone (t u : piece) (y : vector) : is_piece t -> is_piece u -> are_apart t u -> strictly_in t y ->
-  ~ inside_piece u y.
+Lemma strictly_in_alone (t u : piece) (y : vector) : is_piece t -> is_piece u -> are_apart_by_a_line t u ->
+  strictly_in t y -> ~ inside_piece u y.
 Proof.
   intros T U (n & some & less) strict in_u.
   assert (near : forall a, In a (corners_of t) -> dot n (vector_of a) <= dot n y)
@@ -57,7 +57,7 @@ Qed.
 
 (** The search *)
 
-Lemma side_is_apart (t u : piece) : is_piece t -> is_right_of_a_side t u = true -> are_apart u t.
+Lemma side_is_apart (t u : piece) : is_piece t -> is_right_of_a_side t u = true -> are_apart_by_a_line u t.
 Proof.
   intros [convex lines] (l & L & right_)%existsb_exists. rewrite forallb_forall in right_.
   exists (normal_of l). split; [now apply (side_line_has_a_normal t) |]. intros b a B A.
@@ -65,9 +65,9 @@ Proof.
   pose proof (corners_are_inside t a convex A l L) as left_. rewrite value_at_is in *. lra.
 Qed.
 
-Lemma separate_is_apart (t u : piece) : is_piece t -> is_piece u -> are_separate t u = true -> are_apart t u.
+Lemma separate_is_apart (t u : piece) : is_piece t -> is_piece u -> are_separate t u = true -> are_apart_by_a_line t u.
 Proof.
-  intros T U [found | found]%orb_true_iff; [apply are_apart_exchanged |]; now apply side_is_apart.
+  intros T U [found | found]%orb_true_iff; [apply apart_exchanged |]; now apply side_is_apart.
 Qed.
 
 Section Boxes.
@@ -75,11 +75,11 @@ Section Boxes.
 
   Lemma boxes_are_apart (t u : tree) : is_well_boxed D t -> is_well_boxed D u ->
     are_boxes_separate (box_of t) (box_of u) = true ->
-    forall a b, In a (pieces_in t) -> In b (pieces_in u) -> are_apart a b.
+    forall a b, In a (pieces_in t) -> In b (pieces_in u) -> are_apart_by_a_line a b.
   Proof.
     intros boxed_t%well_boxed_has boxed_u%well_boxed_has separate a b A B.
     assert (by_direction : forall n, nonzero n -> (forall c d, in_box D (box_of t) c -> in_box D (box_of u) d ->
-      dot n c * inject_Z (Zpos D) <= dot n d * inject_Z (Zpos D)) -> are_apart a b).
+      dot n c * inject_Z (Zpos D) <= dot n d * inject_Z (Zpos D)) -> are_apart_by_a_line a b).
     { intros n some less. exists n. split; [exact some |]. intros c d C E. apply (no_more_in_units D).
       apply less; [exact (boxed_t a c A C) | exact (boxed_u b d B E)]. }
     unfold are_boxes_separate in separate. rewrite !orb_true_iff, !Z.leb_le, !Zle_Qle in separate.
@@ -104,7 +104,7 @@ Section Boxes.
 
   Lemma apart_if_none_found (t : tree) : forall u, is_well_boxed D t -> is_well_boxed D u ->
     Forall is_piece (pieces_in t) -> Forall is_piece (pieces_in u) -> overlap_of_trees t u = None ->
-    forall a b, In a (pieces_in t) -> In b (pieces_in u) -> are_apart a b.
+    forall a b, In a (pieces_in t) -> In b (pieces_in u) -> are_apart_by_a_line a b.
   Proof.
     assert (of_both : forall (P : piece -> Prop) one other, (forall a, In a one -> P a) ->
       (forall a, In a other -> P a) -> forall a, In a (one ++ other) -> P a)
@@ -130,7 +130,7 @@ Section Boxes.
   Qed.
 
   Lemma apart_in_one (t : tree) : is_well_boxed D t -> Forall is_piece (pieces_in t) -> overlap_in_tree t = None ->
-    ForallOrdPairs are_apart (pieces_in t).
+    ForallOrdPairs are_apart_by_a_line (pieces_in t).
   Proof.
     induction t as [b g | b one IH_one other IH_other]; intros boxed all none; [repeat constructor |].
     destruct boxed as (_ & boxed_one & boxed_other). cbn [overlap_in_tree pieces_in] in *. apply Forall_app in all.
@@ -161,12 +161,12 @@ Section Boxes.
 
   (* Theorem. If the search finds no two pieces, all are apart. *)
   Theorem no_overlap_is_found (pieces : list piece) : Forall is_piece pieces -> found_overlap D pieces = None ->
-    ForallOrdPairs are_apart pieces.
+    ForallOrdPairs are_apart_by_a_line pieces.
   Proof.
     unfold found_overlap. intros all none. destruct (leaves_of_pieces pieces all) as [same_ boxed].
     destruct (trees_by_place_keep D 64 (flat_map (leaf_of D) pieces)) as [permuted all_boxed].
     specialize (all_boxed boxed). rewrite same_ in permuted.
-    apply (pairs_in_another_order are_apart _ _ are_apart_exchanged permuted).
+    apply (pairs_in_another_order are_apart_by_a_line _ _ apart_exchanged permuted).
     destruct (trees_by_place 64 _) as [| t rest]; [constructor |].
     destruct (one_tree rest t all_boxed) as [its_boxes its_pieces]. rewrite <- its_pieces in *.
     apply apart_in_one; trivial. apply Forall_forall. intros a A. rewrite Forall_forall in all.

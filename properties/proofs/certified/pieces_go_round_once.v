@@ -141,7 +141,7 @@ Section Region.
   Proof. exact (pieces_of_polygons_are_convex _ _ _ accepted t). Qed.
 
   (* Theorem. *)
-  Theorem pieces_apart_go_round_once (x : vector) : ForallOrdPairs are_apart pieces -> off x (boundary r) ->
+  Theorem pieces_apart_go_round_once (x : vector) : ForallOrdPairs are_apart_by_a_line pieces -> off x (boundary r) ->
     winding_number x (boundary r) = 0%Z \/ winding_number x (boundary r) = 1%Z.
   Proof.
     intros apart free. destruct (winding_number_near x _ (boundary_cycles r) free) as (radius & R & near).

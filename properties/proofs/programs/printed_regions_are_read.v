@@ -277,7 +277,8 @@ Proof.
     etransitivity; [exact (f_equal (fold_left take_byte (printed_polygon polygon)) single) |]. clear single several.
     rewrite (polygons_are_taken line Rings (Contents Rings) polygon r); [| now right | now right | exact printable_p].
     cbn [after_list flat_map]. now rewrite app_nil_r.
-  - etransitivity; [exact (f_equal (fold_left take_byte (printed_list printed_polygon (polygon :: q :: polygons))) several) |].
+  - etransitivity;
+      [exact (f_equal (fold_left take_byte (printed_list printed_polygon (polygon :: q :: polygons))) several) |].
     clear single several. unfold printed_list. cbn [fold_left]. rewrite symbols_are_taken by reflexivity.
     change (go_on _ [opening_sign]) with (taken_to line (Opening Polygons Rings) r).
     now rewrite lists_of_polygons_are_taken by trivial.

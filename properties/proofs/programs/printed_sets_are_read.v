@@ -10,16 +10,16 @@ Import ListNotations.
 Open Scope Z_scope.
 
 (* From where items of a collection may come to where they may again, with what they add. *)
-Definition is_ready (r : so_far) : Prop := in_collection (beside r) = true /\ ring_so_far r = [].
+Definition may_take_an_item (r : so_far) : Prop := in_collection (beside r) = true /\ ring_so_far r = [].
 
-Definition is_item (w : text) (add : so_far -> so_far) : Prop := forall line r, is_ready r ->
-  fold_left take_byte w (taken_to line Item r) = taken_to line Complete (add r) /\ is_ready (add r).
+Definition is_item (w : text) (add : so_far -> so_far) : Prop := forall line r, may_take_an_item r ->
+  fold_left take_byte w (taken_to line Item r) = taken_to line Complete (add r) /\ may_take_an_item (add r).
 
 Definition add_all (items : list (text * (so_far -> so_far))) (r : so_far) : so_far :=
   fold_left (fun r i => snd i r) items r.
 
 Lemma lists_of_items_are_taken (line : Z) (items : list (text * (so_far -> so_far))) : forall first r,
-  Forall (fun i => is_item (fst i) (snd i)) (first :: items) -> is_ready r ->
+  Forall (fun i => is_item (fst i) (snd i)) (first :: items) -> may_take_an_item r ->
   fold_left take_byte (fst first ++ after_commas (map fst items) ++ [closing_sign]) (taken_to line Item r) =
     taken_to line Complete (with_collection (add_all (first :: items) r) false).
 Proof.

@@ -385,11 +385,11 @@ Record reading := Reading { line_number : Z; word : text; length_of_word : Z; st
 
 Record failure := Failure { in_line : Z; at_word : text; what : complaint }.
 
-Definition start_at (p : stage) : reading + failure :=
+Definition start_from (p : stage) : reading + failure :=
   inl (Reading 1 [] 0 p (SoFar [] [] false (Beside false false [] []))).
 
-Definition start (may_be_unbounded : bool) : reading + failure := start_at (Start may_be_unbounded).
-Definition start_of_set : reading + failure := start_at StartOfSet.
+Definition start (may_be_unbounded : bool) : reading + failure := start_from (Start may_be_unbounded).
+Definition start_of_set : reading + failure := start_from StartOfSet.
 
 Definition longest_word : Z := 100000.
 

@@ -26,10 +26,7 @@ Proof. unfold as_region. rewrite <- boundary_is. apply winding_number_is. Qed.
 
 Lemma inner_point_is (x : point) (r : polygonal_region) : is_inner_point x r <->
   winding_number (as_vector x) (region_edges (as_region r)) <> 0%Z /\ off (as_vector x) (region_edges (as_region r)).
-Proof.
-  unfold is_inner_point. rewrite number_of_region_is, off_is, <- on_boundary_is. split; intros [round free];
-    (split; [exact round |]); [intros (e & E & on); exact (free e E on) | intros e E on; apply free; now exists e].
-Qed.
+Proof. unfold as_region. rewrite <- boundary_is. apply inner_point_by_boundary. Qed.
 
 Lemma inner_point_of_valid (x : point) (r : polygonal_region) : valid_region (as_region r) ->
   (is_inner_point x r <-> inside (as_vector x) (as_region r)).

@@ -4,6 +4,7 @@
 
 #include "checked/certificates/certificate.hpp"
 #include "checked/operations/operations.hpp"
+#include "checked/slide/slide.hpp"
 #include "properties/compare/certified_engine.hpp"
 #include "properties/runner/registry.hpp"
 #include "reference/chains/region_of.hpp"
@@ -39,7 +40,7 @@ class Claims {
     const std::string right = written(certificate(given));
     const EndedProcess ended = checked_certificate(claim, p_, q_, given, right, limits);
     if (!says_certified(ended))
-      return fails(claim + ": the oracle's set is not certified: " + ended.output + ended.errors);
+      return fails(claim + ": the right set is not certified: " + ended.output + ended.errors);
 
     const auto accepts = [&](const ClaimedSum& wrong) {
       ++outcome.counts["wrong sets"];
@@ -102,19 +103,19 @@ Outcome check(const Summands& summands) {
   Claims claims(summands);
   const auto& [p, q] = summands;
   if (!can_certify()) return claims.outcome.fail("oplus-certified was not built");
-  const SumOf sum = [](const Region& a, const Region& b, Boundary boundary) {
-    const auto sums = oracle_sums(a, b);
-    return boundary == Boundary::closed ? sums.closed : sums.open;
+  const auto sums = oracle_sums(p, q);
+  const SumOf slide = [](const Region& a, const Region& b, Boundary boundary) {
+    return slide_sum(a, b, boundary).sum;
   };
   const Claimed all[] = {
-      {"sum", sum(p, q, Boundary::closed),
+      {"sum", sums.closed,
        [&](const ClaimedSum& s) { return certificates::certificate(p, q, s.region); }},
-      {"open-sum", sum(p, q, Boundary::open),
+      {"open-sum", sums.open,
        [&](const ClaimedSum& s) { return certificates::open_certificate(p, q, s); }},
-      {"nfp", no_fit(p, q, sum),
+      {"nfp", no_fit(p, q, slide),
        [&](const ClaimedSum& s) { return certificates::no_fit_certificate(p, q, s); }},
-      {"ifp", inner_fit(p, q, sum),
-       [&](const ClaimedSum& s) { return certificates::inner_fit_certificate(p, q, s, sum); }}};
+      {"ifp", inner_fit(p, q, slide),
+       [&](const ClaimedSum& s) { return certificates::inner_fit_certificate(p, q, s, slide); }}};
   for (const Claimed& claimed : all)
     if (!claims.are_right(claimed)) break;
   return claims.outcome;

@@ -7,13 +7,16 @@
 #include <map>
 
 #include "checked/certificates/certificate.hpp"
+#include "checked/certificates/layout_certificate.hpp"
 #include "checked/operations/operations.hpp"
 #include "checked/slide/slide.hpp"
 #include "properties/compare/certified_engine.hpp"
 #include "properties/compare/corpus.hpp"
+#include "properties/runner/temporary_folder.hpp"
 #include "reference/chains/region_of.hpp"
 #include "reference/chains/validity.hpp"
 #include "reference/families/family.hpp"
+#include "reference/io/writing.hpp"
 #include "tests/checked/verify/damage.hpp"
 #include "tests/reference/definitions/shapes.hpp"
 
@@ -91,8 +94,11 @@ class DamagedSets : public testing::Test {
     for (const Damage& damage : damages())
       // The others look for places beside chains.
       if (!claimed.set.outer.empty() || damage.name.ends_with("lost")) all.push_back(damage);
+    // What is invented inside a closed set changes nothing.
     std::erase_if(all, [&](const Damage& damage) {
-      return claimed.set.outer.empty() && damage.name == "a component lost";
+      return claimed.set.outer.empty()
+                 ? damage.name == "a component lost"
+                 : claimed.claim == "ifp" && damage.name.ends_with("invented");
     });
     const auto damage = [&](std::string name, auto apply) {
       all.push_back({std::move(name), {}, apply});
@@ -110,6 +116,14 @@ class DamagedSets : public testing::Test {
       // Elsewhere there is nothing that it could be wrong of.
       if (locate(longer, given.region) == beyond) target = longer;
     });
+    damage("an isolated vertex beside an edge or another one",
+           [beyond](ClaimedSum& given, const PlanarSet&) {
+             if (given.dangling_edges.empty() && given.isolated_vertices.empty()) return;
+             const Point& near = given.dangling_edges.empty() ? given.isolated_vertices.at(0)
+                                                              : given.dangling_edges[0].source;
+             const Point beside = near + Vector{Rational(1, 1000), Rational(1, 777)};
+             if (locate(beside, given.region) == beyond) given.isolated_vertices.push_back(beside);
+           });
     damage("an isolated vertex moved", [](ClaimedSum& given, const PlanarSet&) {
       if (!given.isolated_vertices.empty()) given.isolated_vertices[0].y += Rational(1, 1000000);
     });
@@ -165,8 +179,71 @@ TEST_F(DamagedSets, with_edges_and_vertices_are_refused) {
   for (const char* name :
        {"a dangling edge lost", "half of a dangling edge lost", "a dangling edge invented",
         "a dangling edge moved", "a dangling edge longer", "an isolated vertex lost",
-        "an isolated vertex invented", "an isolated vertex moved", "the other kind of boundary"})
+        "an isolated vertex invented", "an isolated vertex moved",
+        "an isolated vertex beside an edge or another one", "the other kind of boundary"})
     EXPECT_GT(times[name], 3U) << name;
+}
+
+/// What the program answers of a layout, with the certificate of this or another one.
+std::string answer(const Region& container, const std::vector<Region>& parts,
+                   const std::string& certificate) {
+  const TemporaryFolder folder("layout");
+  const auto file = [&](const char* name, const std::string& text) {
+    const std::string path = folder.path() / name;
+    write_file(path, text);
+    return path;
+  };
+  std::string lines;
+  for (const Region& part : parts) lines += wkt(part) + "\n";
+  const EndedProcess ended =
+      run_program({program_beside("oplus-certified"), "layout", file("container", wkt(container)),
+                   file("parts", lines), file("certificate", certificate)},
+                  limits);
+  EXPECT_EQ(ended.code == 0, says_certified(ended)) << ended.output << ended.errors;
+  return ended.code == 2 ? "invalid: " + ended.errors : ended.output;
+}
+
+/// Parts of all families, each beside the one before and touching its box, in a container that just holds them.
+TEST(CertifiedLayouts, are_certified_and_wrong_ones_refused) {
+  std::vector<Region> parts;
+  Rational right = 0, height = 0;
+  for (const Family& family : families()) {
+    if (family.name == "scales" || family.name == "outlier") continue;  // much larger than others
+    const Region part = generate(family, std::min(family.typical, family.smallest + 3), 1).p;
+    std::optional<Point> low, high;
+    for (const Chain& chain : chains(part))
+      for (const Point& v : chain) {
+        low = low ? Point{std::min(low->x, v.x), std::min(low->y, v.y)} : v;
+        high = high ? Point{std::max(high->x, v.x), std::max(high->y, v.y)} : v;
+      }
+    parts.push_back(translated(part, {right - low->x, -low->y}));
+    right += high->x - low->x;
+    height = std::max<Rational>(height, high->y - low->y);
+  }
+  const Region container = polygon(box(0, 0, right, height));
+  const auto certificate = [](const Region& in, const std::vector<Region>& all) {
+    return certificates::layout_certificate(
+        in.components.empty() ? std::nullopt : std::optional(in), all);
+  };
+  const std::string whole = certificate(container, parts);
+  EXPECT_TRUE(is_certified(answer(container, parts, whole))) << answer(container, parts, whole);
+  const std::string alone = certificate({}, parts);
+  EXPECT_TRUE(is_certified(answer({}, parts, alone))) << answer({}, parts, alone);
+  EXPECT_FALSE(is_certified(answer(container, parts, alone)));
+
+  const Region lower = polygon(box(0, 0, right, height - Rational(1, 1000000)));
+  EXPECT_FALSE(is_certified(answer(lower, parts, whole)));
+  EXPECT_FALSE(is_certified(answer(lower, parts, certificate(lower, parts))));
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    std::vector<Region> twice = parts;
+    twice.push_back(parts[i]);
+    EXPECT_FALSE(is_certified(answer(container, twice, certificate(container, twice)))) << i;
+  }
+  std::vector<Region> moved = parts;
+  moved[0] = translated(moved[0], {-Rational(1, 1000000), 0});
+  EXPECT_FALSE(is_certified(answer(container, moved, whole)));
+  EXPECT_FALSE(is_certified(answer(container, moved, certificate(container, moved))));
+  EXPECT_TRUE(is_certified(answer({}, moved, certificate({}, moved))));
 }
 
 /// Sizes that differ by more than all doubles do, and shapes that far from the origin.

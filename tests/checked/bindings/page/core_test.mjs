@@ -76,7 +76,7 @@ const proofs = (pair, open, {p, q, sum}, expected) => {
   assert.equal(ask({...asked, sum: p.wkt}).sum.same, p.wkt === expected, name);
   const {certificate} = ask({...asked, certificate: true});
   assert.equal(certificate.error, undefined, name);
-  assert.deepEqual(certified(p.wkt, q.wkt, certificate.sum, certificate.text), {code: 0, text: "certified"}, name);
+  assert.deepEqual(certified(p.wkt, q.wkt, certificate.sum, certificate.text), {code: 0, text: "certified: S is the Minkowski sum of P and Q"}, name);
   const moved = certificate.text.replace(/^in \d+ \d+$/m, "in 0 7777");
   if (moved !== certificate.text) assert.equal(certified(p.wkt, q.wkt, certificate.sum, moved).code, 1, name);
   if (p.wkt !== certificate.sum) assert.notEqual(certified(p.wkt, q.wkt, p.wkt, certificate.text).code, 0, name);

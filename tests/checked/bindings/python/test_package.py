@@ -88,15 +88,6 @@ def test_version():
     assert oplus.__version__ == ".".join(re.findall(r"#define OPLUS_VERSION_[A-Z]+ ([0-9]+)", header))
 
 
-def test_the_example(tmp_path):
-    environment = dict(os.environ, MPLBACKEND="Agg", PYTHONPATH=str(Path(oplus.__file__).parents[1]))
-    ran = subprocess.run([sys.executable, "-B", ROOT / "checked/bindings/python/examples/nesting_step.py", tmp_path / "nesting.png"],
-                         env=environment, capture_output=True, text=True, check=True)
-    page = (ROOT / "docs/python.md").read_text(encoding="utf-8")
-    assert ran.stdout and "".join("    " + line + "\n" for line in ran.stdout.splitlines()) in page
-    assert (tmp_path / "nesting.png").stat().st_size > 10000
-
-
 @pytest.mark.parametrize("name, least", [("README.md", 4), ("docs/python.md", 10), ("docs/from_shapely.md", 10)])
 def test_a_page(name, least):
     """Its sessions print what they say."""
