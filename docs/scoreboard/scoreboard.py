@@ -285,8 +285,8 @@ How to read it:
 
 ## No-fit polygons of real parts
 The sums P ⊕ −Q of all pairs of the parts of {len(PARTS)} [nesting instances](../tests/data/README.md), in both orders, judged by
-the sums of convex parts. No such sum of these has a hole that is not there, whatever the scale; a library that computes
-with integers gets the pair multiplied by the largest power of two for which 30 bits are enough. Each row is
+the sums of convex parts. None has a hole. A library that computes with integers gets each pair multiplied by the common
+denominator and by the largest power of two for which 30 bits are enough. Each row is
 
     oplus-check conformance --engine ENGINE --judge convex-parts --parts tests/data/esicup/albano.wkt --parts ...
 
