@@ -180,7 +180,7 @@ class Page(unittest.TestCase):
                 for name, seconds in (("a", 1), ("b", 4))]
         self.assertIn("| a | 100 | 500 | 2.00 |  |  | 0.500 |\n| b | 100 | 500 | 8.00 |  |  | 0.500 |\n"
                       "| *nesting, geometric mean* |  |  | *4.00* |  |  | *0.500* |", table.page(run_of(*rows), "{{nesting}}"))
-        self.assertIn("| clipper2-nfp, holes | vertices |", table.page(run_of(*rows), table.TEMPLATE.read_text()))
+        self.assertIn("| clipper2-nfp, holes | MB |", table.page(run_of(*rows), table.TEMPLATE.read_text()))
 
     def test_every_name_is_known(self):
         template = table.TEMPLATE.read_text(encoding="utf-8")

@@ -17,7 +17,7 @@ import scoreboard
 class Scoreboard(unittest.TestCase):
     def setUp(self):
         self.record = json.loads(scoreboard.RECORD.read_text(encoding="utf-8"))
-        self.failures = self.record["cgal-full"]["failures"]
+        self.failures = self.record["sums"]["cgal-full"]["failures"]
 
     def assert_fails(self, words, function, *arguments):
         with self.assertRaises(SystemExit) as failed:
@@ -50,12 +50,18 @@ class Scoreboard(unittest.TestCase):
         self.failures["hung"] = self.failures["crashed: SIGSEGV"]
         self.assert_fails("0 entries for cgal-full, hung", scoreboard.page, self.record)
 
+    def test_no_fit_polygons_count_by_instance(self):
+        holes = self.record["parts"]["clipper2"]["failures"]["hole invented"]
+        self.assertEqual(sum(holes["of_parts"].values()), holes["sums"])
+        holes["of_parts"]["albano"] = 1234
+        self.assertIn("| hole invented | 1,234 |", scoreboard.page(self.record))
+
     def test_what_is_known_of_a_kind_that_was_not_found(self):
         del self.failures["crashed: SIGSEGV"]
         self.assert_fails("('cgal-full', 'crashed: SIGSEGV'), which was not found", scoreboard.page, self.record)
 
     def test_an_outcome_that_the_table_lacks(self):
-        self.record["slide"]["sums"]["lost"] = 1
+        self.record["sums"]["slide"]["sums"]["lost"] = 1
         self.assert_fails("an outcome that the table does not have", scoreboard.page, self.record)
 
 
