@@ -24,6 +24,8 @@ endif()
 oplus_tests_by_file(oplus-tests "" ${test_sources})
 add_test(NAME checked/cli/cases
          COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_SOURCE_DIR}/checked/cli/cases_test.py $<TARGET_FILE:oplus>)
+add_test(NAME checked/cli/lasting-batches
+         COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_SOURCE_DIR}/checked/cli/lasting_batches_test.py $<TARGET_FILE:oplus>)
 
 # The fuzz targets find them, too.
 add_executable(oplus-planted-faults properties/fuzz/planted_faults.cpp)

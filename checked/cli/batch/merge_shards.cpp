@@ -83,7 +83,7 @@ Results merge_shards(std::vector<std::string> shards, const std::string& output)
   Results counts;
   std::string block, line;
   for (std::size_t i = 0; std::getline(files[i % files.size()], line); ++i) {
-    count_line(counts, line, output);
+    count_line(counts, line, shards[i % shards.size()]);
     block += line;
     block += '\n';
     if (block.size() < 1 << 16) continue;

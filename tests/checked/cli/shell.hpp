@@ -67,8 +67,6 @@ class Shell : public testing::Test {
     return {std::istreambuf_iterator<char>(in), {}};
   }
 
-  std::filesystem::path folder() const { return place_ / "folder"; }
-
   std::set<std::string> files() const {
     std::set<std::string> names;
     for (const auto& entry : std::filesystem::directory_iterator(place_ / "folder"))
