@@ -336,8 +336,8 @@ ExitCode of_parts(const BatchOptions& options) {
     std::size_t first, last;
   };
   const std::size_t all = writer.shard().count_of(pairs.size());
-  // The last one that is there is compared.
   std::size_t next = writer.lines_done();
+  const std::size_t to_do = all - std::min(next, all);
   OrderedWork<Range, Results> work({
       .take = [&]() -> std::optional<Range> {
         if (next >= all) return std::nullopt;
@@ -353,7 +353,7 @@ ExitCode of_parts(const BatchOptions& options) {
               pairs.add_result(results, writer.shard().task(i));
             return results;
           },
-      .pass_on = [&](Results&& results) { writer.pass_on(results, all); },
+      .pass_on = [&](Results&& results) { writer.pass_on(results, to_do); },
   });
   work.run(number_of(options.threads), [&] { writer.end_if_interrupted(); });
   return writer.finish();
@@ -417,8 +417,8 @@ void add_batch(Program& program) {
       "come");
   command.flag(
       "--resume", options.resume,
-      "write them into -o FILE as they come, and go on where it ends if it is there: after a kill, "
-      "say. FILE.oplus-job beside it says which job it is");
+      "write them into -o FILE as they come, and go on where it ends if it exists, for example after a "
+      "kill. FILE.oplus-job beside it says which job it is (docs/many_machines.md)");
   command.option("--shard I/N", options.shard,
                  "only the I-th of N parts of the results, for 'oplus batch merge'");
   add_threads(command, options.threads, "");

@@ -52,6 +52,7 @@ void LastingOutput::keep_lines() {
     bytes_kept_ += last_line_.size();
     if (!last_line_.empty()) count_line(counts_, last_line_, path_);
   }
+  if (in.bad()) throw UsageError(path_ + " cannot be read");
   // With more memory it may come out better.
   if (last_line_.find(without_memory) != std::string::npos) last_line_.clear();
 }

@@ -90,9 +90,11 @@ Results merge_shards(std::vector<std::string> shards, const std::string& output)
     merged.write(block);
     block.clear();
   }
-  for (std::size_t i = 0; i < files.size(); ++i)
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    if (files[i].bad()) throw UsageError(shards[i] + " cannot be read");
     if (files[i].peek() != std::ifstream::traits_type::eof())
       throw UsageError(shards[i] + " has more lines than the other shards");
+  }
   merged.write(block);
   merged.finish();
   return counts;
