@@ -57,7 +57,7 @@ TEST_F(Examples, are_what_their_page_says) {
   for (const std::string name : {"robot", "no_fit", "nesting", "offset"})
     scripts += text_of_file(examples / name / "run");
   const std::vector<std::string> commands = commands_of(page);
-  EXPECT_EQ(commands.size(), 6U);
+  EXPECT_EQ(commands.size(), 8U);
   for (const std::string& command : commands)
     EXPECT_NE(scripts.find("\n" + command + "\n"), std::string::npos) << command;
   for (const std::string& link : found(page, "\\]\\(([^)]+)\\)"))
