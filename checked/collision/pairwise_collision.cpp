@@ -24,27 +24,28 @@ class Query {
 
   /// Returns whether the pair crosses; remembers it where it touches.
   bool visit(std::size_t i, std::size_t j) {
-    const auto& [a, b] = p_.pieces.certified(i);
-    const auto [c, d] = translated(minus_q_.pieces.certified(j), by_);
+    const IntervalSegment& ab = p_.pieces.certified(i);
+    const IntervalSegment cd = translated(minus_q_.pieces.certified(j), by_);
     const Segment& of_p = p_.pieces[i];
     const auto side_of_p = [&](const IntervalPoint& near, Point Segment::*end) {
-      const std::optional<int> known = orientation(a, b, near);
+      const std::optional<int> known = orientation(ab.source, ab.target, near);
       return known ? *known : orientation(of_p.source, of_p.target, piece_of_q(j).*end);
     };
-    const int of_c = side_of_p(c, &Segment::source), of_d = side_of_p(d, &Segment::target);
+    const int of_c = side_of_p(cd.source, &Segment::source),
+              of_d = side_of_p(cd.target, &Segment::target);
     if (of_c == of_d && of_c != 0) return false;
     const auto side_of_q = [&](const IntervalPoint& near, const Point& exact) {
-      if (const std::optional<int> known = orientation(c, d, near)) return *known;
+      if (const std::optional<int> known = orientation(cd.source, cd.target, near)) return *known;
       const Segment& of_q = piece_of_q(j);
       return orientation(of_q.source, of_q.target, exact);
     };
-    const int of_a = side_of_q(a, of_p.source), of_b = side_of_q(b, of_p.target);
+    const int of_a = side_of_q(ab.source, of_p.source), of_b = side_of_q(ab.target, of_p.target);
     if (of_a == of_b && of_a != 0) return false;
     if (of_a * of_b < 0 && of_c * of_d < 0) return true;
-    const End ends[] = {{a, Summand::P, i, &Segment::source},
-                        {b, Summand::P, i, &Segment::target},
-                        {c, Summand::Q, j, &Segment::source},
-                        {d, Summand::Q, j, &Segment::target}};
+    const End ends[] = {{ab.source, Summand::P, i, &Segment::source},
+                        {ab.target, Summand::P, i, &Segment::target},
+                        {cd.source, Summand::Q, j, &Segment::source},
+                        {cd.target, Summand::Q, j, &Segment::target}};
     if (of_c != 0 || of_d != 0) {  // they meet in one point, which is an end
       contacts_.push_back({ends[of_a == 0 ? 0 : of_b == 0 ? 1 : of_c == 0 ? 2 : 3], i, j});
       return false;

@@ -13,9 +13,10 @@
 #include "checked/operations/complement.hpp"
 #include "checked/operations/union_of.hpp"
 #include "checked/slide/parallel_for.hpp"
-#include "checked/verify/overlay.hpp"
 #include "reference/chains/frame.hpp"
 #include "reference/chains/region_of.hpp"
+#include "reference/chains/touching_points.hpp"
+#include "reference/definitions/cells.hpp"
 #include "reference/definitions/exact_box.hpp"
 #include "reference/definitions/mutant.hpp"
 #include "reference/definitions/region.hpp"
@@ -276,9 +277,8 @@ class SheetCheck {
   }
 
   static OverlapFound found(const Region& p, const Region& q, std::optional<Overlap> way_out) {
-    const std::optional<Point> witness = Overlay({p, {}, {}}, canonical_sum(q)).common_point();
-    return {witness.value(), oplus::area(p) + oplus::area(q) - oplus::area(united(together(p, q))),
-            std::move(way_out)};
+    const Region common = complement(united(together(complement(p), complement(q))));
+    return {point_inside(boundary_pieces(common)), oplus::area(common), std::move(way_out)};
   }
 
   Rational area() const {

@@ -4,6 +4,7 @@
 
 #include "checked/layouts/builder.hpp"
 #include "checked/layouts/json_fields.hpp"
+#include "reference/io/quoting.hpp"
 
 namespace oplus::layouts {
 
@@ -62,7 +63,8 @@ Region shape(Builder& builder, const JsonFields& shape) {
   else if (type.text() == "multi_polygon")
     for (const JsonFields& polygon : data.items()) add_polygon(geometry, polygon);
   else
-    type.refuse("the type " + type.text(), "rectangle, simple_polygon, polygon or multi_polygon");
+    type.refuse("the type " + one_line(type.text()),
+                "rectangle, simple_polygon, polygon or multi_polygon");
   return builder.region(std::move(geometry));
 }
 
@@ -80,7 +82,7 @@ void add_containers(Containers& all, const JsonFields& list) {
 
 void read_container(Builder& builder, const JsonFields& container) {
   Sheet& sheet = builder.layout.sheets.back();
-  const std::string what = "container " + container["id"].label();
+  const std::string what = "container " + one_line(container["id"].label());
   naming(what, [&] {
     sheet.container = shape(builder, container["shape"]);
     if (const auto zones = container.find("zones"))
@@ -96,7 +98,8 @@ void read_placed(Builder& builder, const JsonFields& layout,
     naming("part " + std::to_string(number), [&] {
       const JsonFields id = placed["item_id"], transformation = placed["transformation"];
       const auto item = items.find(id.label());
-      if (item == items.end()) id.refuse("there is no item " + id.label(), "the id of an item");
+      if (item == items.end())
+        id.refuse("there is no item " + one_line(id.label()), "the id of an item");
       AffineMap map = builder.rotation(transformation["rotation"].number());
       map.by = transformation["translation"].point();
       builder.place("item " + id.label(), placed.line(), &item->second, item->second.shape, map,
@@ -111,7 +114,7 @@ void read_jagua(Builder& builder, const JsonFields& root) {
   std::map<std::string, Item> items;
   for (const JsonFields& item : root["items"].items()) {
     const std::string id = item["id"].label();
-    naming("item " + id, [&] {
+    naming("item " + one_line(id), [&] {
       const auto quality = item.find("min_quality");
       const bool has_quality = quality && quality->value().kind() != JsonValue::Kind::null;
       items.emplace(id, Item{shape(builder, item["shape"]),
@@ -139,7 +142,7 @@ void read_jagua(Builder& builder, const JsonFields& root) {
     const JsonFields id = layout["container_id"];
     const auto container = containers.find(id.label());
     if (container == containers.end())
-      id.refuse("there is no container " + id.label(), "the id of one");
+      id.refuse("there is no container " + one_line(id.label()), "the id of one");
     read_container(builder, container->second);
     read_placed(builder, layout, items);
   }

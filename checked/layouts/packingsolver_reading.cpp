@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "checked/layouts/builder.hpp"
 #include "checked/layouts/json_fields.hpp"
+#include "reference/io/quoting.hpp"
 #include "reference/io/writing.hpp"
 
 namespace oplus::layouts {
@@ -21,7 +22,7 @@ PlacedChain chain(const JsonFields& elements, const ChainName& name) {
   for (const JsonFields& element : all) {
     const JsonFields type = element["type"];
     if (type.text() != "LineSegment")
-      type.refuse("an element of the type " + type.text() + " is a curve", "LineSegment");
+      type.refuse("an element of the type " + one_line(type.text()) + " is a curve", "LineSegment");
     const Point start{element["xs"].number(), element["ys"].number()};
     follow(element, start);
     end = {element["xe"].number(), element["ye"].number()};

@@ -95,7 +95,7 @@ class SvgReader {
         refuse("the element " + std::string(name) + " is a curve",
                "straight segments: paths, polygons and rectangles");
       if (name == "switch" || (name == "symbol" && around.uses > 0))
-        refuse("the element " + std::string(name), "g");
+        refuse("the element " + one_line(name), "g");
       lines_ += name == "line" || name == "polyline" ? 1 : 0;
       return;  // what has no area, or is drawn only where it is used
     }

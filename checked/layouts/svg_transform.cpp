@@ -21,7 +21,7 @@ AffineMap svg_transform(Builder& builder, std::string_view text) {
       if (token.is_end()) input.refuse(token.at, "the end of a transform", "')'");
       if (token.text != ",")
         put_coordinate(input, token.text, token.at, n.emplace_back(),
-                       [&] { return "a number of " + std::string(name.text); });
+                       [&] { return "a number of " + one_line(name.text); });
     }
     tokens.take();
     const auto is = [&](const char* step, std::size_t least, std::size_t most) {

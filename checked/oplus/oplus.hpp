@@ -452,7 +452,7 @@ bool contains(const ValidSet& sum, const Coordinates& point);
 NearestPoints distance(const ValidRegion& p, const ValidRegion& q);
 
 /// Returns a shortest move of Q after which it overlaps P no longer, exact fits included; none where it does not
-/// overlap P. Throws InvalidInput where it overlaps P wherever it is. Cost: that of nfp(p, q).
+/// overlap P. Throws InvalidInput where it overlaps P wherever it is. Cost: at most that of nfp(p, q).
 std::optional<Overlap> depth(const ValidRegion& p, const ValidRegion& q);
 
 /// A pair of regions for many places of Q: their no-fit polygon is computed once. Copies share it. Q + x is Q moved

@@ -34,7 +34,7 @@ CoveredCells::CoveredCells(std::span<const NearSegment> p, std::span<const NearS
                            double radius, double error)
     : radius_(radius), cell_(2 * radius / count), error_(error) {
   constexpr std::size_t most_pairs = std::size_t{1} << 20;
-  if (!(cell_ > 8 * error && cell_ < nothing) || p.size() * q.size() > most_pairs) return;
+  if (!(cell_ > 8 * error && cell_ < 0x1p900) || p.size() * q.size() > most_pairs) return;
   for (const NearSegment& e : p)
     for (const NearSegment& f : q)
       if (std::abs(e.dy) + std::abs(f.dy) > cell_ && std::abs(e.dx) + std::abs(f.dx) > cell_) {
@@ -55,28 +55,21 @@ void CoveredCells::cover(double x, double y, double ax, double ay, double bx, do
   }
   // On no line near a nearly level side, so that each x is off by less than 2^-30 of the largest coordinate.
   const double level = error_ * 0x1p14, margin = std::min(ay, by) > level ? error_ : level;
-  const auto lowest = std::clamp(std::ceil((y + margin + radius_) / cell_), 0.0, 1.0 * count);
-  const auto highest =
-      std::clamp(std::floor((y + ay + by - margin + radius_) / cell_), 0.0, 1.0 * count);
+  const int lowest = line_above(y + margin), highest = line_below(y + ay + by - margin);
   const double along_a = ax / ay, along_b = bx / by;
   double last_left = 0, last_right = 0;
-  for (int k = static_cast<int>(lowest); k <= static_cast<int>(highest); ++k) {
+  for (int k = lowest; k <= highest; ++k) {
     const double up = line(k) - y;
     const double left = x + (up < by ? along_b * up : bx + along_a * (up - by));
     const double right = x + (up < ay ? along_a * up : ax + along_b * (up - ay));
-    if (k > static_cast<int>(lowest)) {
+    if (k > lowest) {
       const bool is_careless =
           OPLUS_MUTANT("nearest-boundary-covers-too-much",
                        "cells that a parallelogram only meets count as inside the open sum");
       const double low = is_careless ? std::min(left, last_left) : std::max(left, last_left);
       const double high = is_careless ? std::max(right, last_right) : std::min(right, last_right);
-      const double first =
-          std::clamp(std::ceil((low + error_ + radius_) / cell_), 0.0, 1.0 * count);
-      const double behind =
-          std::clamp(std::floor((high - error_ + radius_) / cell_), 0.0, 1.0 * count);
-      if (first < behind)
-        rows_[static_cast<std::size_t>(k - 1)] |=
-            bits(static_cast<int>(first), static_cast<int>(behind) - 1);
+      rows_[static_cast<std::size_t>(k - 1)] |=
+          bits(line_above(low + error_), line_below(high - error_) - 1);
     }
     last_left = left;
     last_right = right;
@@ -95,13 +88,11 @@ double CoveredCells::least_uncovered(const NearSegment& s) const {
   const double distance = near_distance(s), plain = distance > error_ ? distance - error_ : 0;
   const bool leaves = !(std::max({-low_x, high_x, error_ - y, y + dy + error_}) < radius_);
   double least = leaves ? std::max(plain, radius_) : nothing;
-  const auto cell_of = [&](double at) {
-    return static_cast<int>(std::clamp(std::floor((at + radius_) / cell_), -1.0, 1.0 * count));
-  };
   const auto gap = [&](int k) { return std::max({0.0, line(k), -line(k + 1)}); };
   const bool is_level = !(dy > error_ * 0x1p14);
-  const int last = std::min(cell_of(y + dy + error_), count - 1);
-  for (int row = std::max(cell_of(y - error_), 0); row <= last; ++row) {
+  // What is beside the square counts as in its outermost row or column: it is no nearer than that.
+  const int last = std::min(line_below(y + dy + error_), count - 1);
+  for (int row = line_below(y - error_); row <= last; ++row) {
     double from = low_x, to = high_x;
     if (!is_level) {
       const double low = x + dx / dy * std::clamp(line(row) - error_ - y, 0.0, dy);
@@ -109,9 +100,9 @@ double CoveredCells::least_uncovered(const NearSegment& s) const {
       from = std::min(low, high) - error_;
       to = std::max(low, high) + error_;
     }
-    const int first = std::max(cell_of(from), 0), end = std::min(cell_of(to), count - 1);
-    for (std::uint64_t open = bits(first, end) & ~rows_[static_cast<std::size_t>(row)]; open != 0;
-         open &= open - 1)
+    const int end = std::min(line_below(to), count - 1);
+    for (std::uint64_t open = bits(line_below(from), end) & ~rows_[static_cast<std::size_t>(row)];
+         open != 0; open &= open - 1)
       least = std::min(least,
                        std::max(plain, length_of(gap(std::countr_zero(open)), gap(row)) - error_));
   }

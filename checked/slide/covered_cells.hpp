@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -30,6 +31,15 @@ class CoveredCells {
   static constexpr int count = 48;
 
   double line(int k) const { return k * cell_ - radius_; }
+  /// The number of the next line below a place, or above it; that of an outer one beside the square.
+  int line_below(double at) const {
+    return static_cast<int>(std::clamp((at + radius_) / cell_, 0.0, 1.0 * count));
+  }
+  int line_above(double at) const {
+    const double lines = std::clamp((at + radius_) / cell_, 0.0, 1.0 * count);
+    const int below = static_cast<int>(lines);
+    return below + (below < lines ? 1 : 0);
+  }
   void cover(double x, double y, double ax, double ay, double bx, double by);
 
   double radius_, cell_, error_;

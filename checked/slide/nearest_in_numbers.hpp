@@ -11,6 +11,7 @@
 #include "checked/slide/low_dimensional_features.hpp"
 #include "checked/slide/sum_in.hpp"
 #include "reference/arithmetic/interval.hpp"
+#include "reference/definitions/mutant.hpp"
 
 namespace oplus::slide {
 
@@ -107,14 +108,20 @@ std::vector<Segment> nearest_in(const Region& p, const Region& q, const Scaling&
   auto [dangling, isolated] = low_dimensional_features(
       segments, rays, low_dimensional_candidates(segments, rays, std::move(open.found), 1),
       NamedEnds<Numbers>{}, scaling, 1);
-  for (const auto& [segment, piece] : found) {
-    const auto end = [&](const Fraction<Numbers>& t) {
-      return ExactPoint<Numbers>(segments.exact(segment), t).in_the_plane(scaling);
-    };
-    dangling.push_back({end(piece.from), end(piece.to)});
+  std::vector<Segment> result = std::move(dangling);
+  if (OPLUS_MUTANT("nearest-boundary-misses-exact-fits",
+                   "no dangling edge or isolated vertex is near the origin")) {
+    result.clear();
+    isolated.clear();
   }
-  for (const Point& x : isolated) dangling.push_back({x, x});
-  return dangling;
+  for (const FreePiece<Numbers>& one : found) {
+    const auto end = [&](const Fraction<Numbers>& t) {
+      return ExactPoint<Numbers>(segments.exact(one.segment), t).in_the_plane(scaling);
+    };
+    result.push_back({end(one.piece.from), end(one.piece.to)});
+  }
+  for (const Point& x : isolated) result.push_back({x, x});
+  return result;
 }
 
 }  // namespace oplus::slide

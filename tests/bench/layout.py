@@ -40,9 +40,11 @@ def wkt(parts):
 def main(program):
     draw = random.Random(1)
     places = [(100 * i, 100 * j) for i in range(COLUMNS) for j in range(COLUMNS)]
+    squares = [row_of_squares(x, y) for x, y in places]
     with tempfile.TemporaryDirectory() as folder:
         for name, parts in (("stars beside each other", [star(0.849 * (x - y), 0.849 * (x + y), draw) for x, y in places]),
-                            ("squares that touch all neighbours", [row_of_squares(x, y) for x, y in places])):
+                            ("squares that touch all neighbours", squares),
+                            ("the same in decimals", [[(x / 1000 + 0.7, y / 1000 + 0.1) for x, y in s] for s in squares])):
             file = Path(folder) / "parts.wkt"
             file.write_text(wkt(parts))
             for options in ([], ["--spacing", "0.001"]) if "stars" in name else ([],):

@@ -203,6 +203,7 @@ TEST(ReadingALayout, of_svg) {
       {R"~(<g id="quality_zones"><path d=""/></g>)~", "in:2:2: quality zones"},
       {R"~(<g id="a"><use href="#a"/></g>)~", "in:2:22: elements that use each other"},
       {R"~(<g transform="rotate(x)"/>)~", "in:2:22: a number of rotate: "},
+      {"<g transform=\"tr\xFF(x)\"/>", "in:2:19: a number of tr\\xff: "},
       {R"~(<g transform="skewX(10)"/>)~", "in:2:15: 'skewX' of 1 numbers"},
       {R"~(<rect transform="scale(0)" width="2" height="1"/>)~", "in:2:2: part 1 is flat"},
       {R"~(<g id="bin"><rect width="2" height="1"/><rect width="2" height="1"/></g>)~",

@@ -223,6 +223,21 @@ TEST(IntervalStage, must_answer_for_small_integers) {
   ASSERT_EQ(turn({0, 0}, {most, most - 1}, {most - 1, most - 2}), -1);
 }
 
+TEST(IntervalStage, must_answer_for_products_that_round_to_the_same_double) {
+  Random random(20261127);
+  std::map<int, int> seen;
+  for (int i = 0; i < 20000; ++i) {
+    // (a b) - (a - k)(b + k) = k (a - b - k), of numbers of 53 bits.
+    const auto a = static_cast<std::int64_t>(random() >> 11);
+    const std::int64_t b = a - uniform(random, 0, 3), k = uniform(random, 0, 2);
+    const Vector u{mpz_class(a), mpz_class(a - k)}, v{mpz_class(b + k), mpz_class(b)};
+    const int right = sgn(cross(u, v));
+    ASSERT_EQ(sign_of_cross(interval(u), interval(v)), right) << a << ' ' << b << ' ' << k;
+    ++seen[right];
+  }
+  for (const int sign : {-1, 0, 1}) EXPECT_GT(seen[sign], 1000) << sign;
+}
+
 TEST(IntervalStage, must_not_answer_where_doubles_cannot_tell) {
   const Rational third(1, 3);
   EXPECT_FALSE(turn({0, 0}, {third, third}, {2 * third, 2 * third}));
