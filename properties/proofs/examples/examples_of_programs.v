@@ -2,7 +2,8 @@
 (* The theorems on oplus-certified and oplus-proved on regions that one can draw: a square and a triangle with a
    certificate of their sum; the room and the diamond. *)
 From Coq Require Import QArith ZArith Bool List.
-From Oplus Require Import specification checker certified_sums certified_open_sums operations.
+From Oplus Require Import specification checker layout_checker certified_sums certified_open_sums certified_layouts
+  placement_checkers certified_placements operations.
 Import ListNotations.
 
 (* A square, a triangle, and their sum, a pentagon; both are convex, so each is a piece, and the sum's only piece is
@@ -24,6 +25,33 @@ Proof. apply (accepted_sums_are_sums _ _ _ their_certificate). vm_compute. refle
 (* So there is no seam, and the pentagon without its edges is the open sum. *)
 Example a_certified_open_sum : is_open_sum a_square a_triangle (OpenRegion a_pentagon [] []).
 Proof. apply (accepted_open_sums_are_open_sums _ _ _ their_certificate). vm_compute. reflexivity. Qed.
+
+(* The square and its reflection: their open sum is where the square, moved, overlaps itself. *)
+Definition overlaps : polygonal_region := [[Point (-2) (-2); Point 2 (-2); Point 2 2; Point (-2) 2]].
+Definition their_no_fit_certificate : certificate :=
+  Certificate 1
+    (SummandCertificate [] [[Hpoint 0 0 1; Hpoint 2 0 1; Hpoint 2 2 1; Hpoint 0 2 1]] [1%positive] [])
+    (SummandCertificate [] [[Hpoint 0 0 1; Hpoint (-2) 0 1; Hpoint (-2) (-2) 1; Hpoint 0 (-2) 1]] [1%positive] [])
+    [] [([Hpoint (-2) (-2) 1; Hpoint 2 (-2) 1; Hpoint 2 2 1; Hpoint (-2) 2 1], SumsOf 1 1)] [].
+
+Example a_certified_no_fit : is_no_fit a_square a_square (OpenRegion overlaps [] []).
+Proof. apply (accepted_no_fits_are_no_fits _ _ _ their_no_fit_certificate). vm_compute. reflexivity. Qed.
+
+(* The square and the triangle, moved to its right, in the strip around them. *)
+Definition a_strip : polygonal_region := [[Point 0 0; Point 3 0; Point 3 2; Point 0 2]].
+Definition a_moved_triangle : polygonal_region := [[Point 2 0; Point 3 0; Point 2 1]].
+Definition their_layout_certificate : layout_certificate :=
+  LayoutCertificate 1 [
+    RegionCertificate [] [
+      [Hpoint (-6) (-6) 1; Hpoint 6 (-6) 1; Hpoint 3 0 1; Hpoint 0 0 1];
+      [Hpoint 6 (-6) 1; Hpoint 6 6 1; Hpoint 3 2 1; Hpoint 3 0 1];
+      [Hpoint 6 6 1; Hpoint (-6) 6 1; Hpoint 0 2 1; Hpoint 3 2 1];
+      [Hpoint (-6) 6 1; Hpoint (-6) (-6) 1; Hpoint 0 0 1; Hpoint 0 2 1]];
+    RegionCertificate [] [[Hpoint 0 0 1; Hpoint 2 0 1; Hpoint 2 2 1; Hpoint 0 2 1]];
+    RegionCertificate [] [[Hpoint 2 0 1; Hpoint 3 0 1; Hpoint 2 1 1]]].
+
+Example a_certified_layout : is_layout (Some a_strip) [a_square; a_moved_triangle].
+Proof. apply (accepted_layouts_are_layouts _ _ their_layout_certificate). vm_compute. reflexivity. Qed.
 
 (* The room and the diamond, in halves. *)
 Definition halves (points : list (Z * Z)) : chain := map (fun c => Point (fst c # 2) (snd c # 2)) points.
