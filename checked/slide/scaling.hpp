@@ -37,7 +37,7 @@ struct Scaling {
 struct Extent {
   mpz_class denominator = 1;  ///< common to all coordinates
   bool is_unlike = false;     ///< that is not, since it would have many more bits than any of them
-  std::size_t longest = 31;   ///< bits of numerators and denominators, of which there are no more
+  std::size_t longest = 31;   ///< the bits of the longest numerator or denominator, or 31
   Point low, high;            ///< corners of the box
 };
 
