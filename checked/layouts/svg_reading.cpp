@@ -176,8 +176,10 @@ class SvgReader {
       if (name == "polygon") --start.column;
       PlacedGeometry geometry = naming(
           "", [&] { return drawn(of); }, start);
-      for (PlacedChain& chain : geometry.chains)
+      for (PlacedChain& chain : geometry.chains) {
+        chain.start = shifted(chain.start, start);
         for (Position& at : chain.places) at = shifted(at, start);
+      }
       return geometry;
     };
     PlacedGeometry all = part(element);

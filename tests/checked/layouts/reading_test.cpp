@@ -194,6 +194,8 @@ TEST(ReadingALayout, of_svg) {
       {R"~(<path d="M0 0 L 1 1 1 0"/>)~",
        "in:2:21: part 1: outer chain of component 1 is not closed"},
       {R"~(<polygon points="0 0 1 x"/>)~", "in:2:24: part 1: 'xZ' where y of vertex 2"},
+      {R"~(<path d="M0 0H9V9zM1 1 2 2z"/>)~",
+       "in:2:20: part 1: outer chain of component 2 has 2 vertices"},
       {R"~(<circle r="1"/>)~", "in:2:2: the element circle is a curve"},
       {R"~(<rect width="2" height="1" rx="0.5"/>)~",
        "in:2:32: part 1: a rectangle with round corners"},
