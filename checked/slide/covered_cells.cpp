@@ -63,11 +63,13 @@ void CoveredCells::cover(double x, double y, double ax, double ay, double bx, do
     const double left = x + (up < by ? along_b * up : bx + along_a * (up - by));
     const double right = x + (up < ay ? along_a * up : ax + along_b * (up - ay));
     if (k > lowest) {
-      const bool is_careless =
-          OPLUS_MUTANT("nearest-boundary-covers-too-much",
-                       "cells that a parallelogram only meets count as inside the open sum");
-      const double low = is_careless ? std::min(left, last_left) : std::max(left, last_left);
-      const double high = is_careless ? std::max(right, last_right) : std::min(right, last_right);
+      const bool is_careless = OPLUS_MUTANT(
+          "nearest-boundary-covers-too-much",
+          "cells that a parallelogram only meets, or their neighbours, count as inside the open sum");
+      const double low =
+          is_careless ? std::min(left, last_left) - cell_ : std::max(left, last_left);
+      const double high =
+          is_careless ? std::max(right, last_right) + cell_ : std::min(right, last_right);
       rows_[static_cast<std::size_t>(k - 1)] |=
           bits(line_above(low + error_), line_below(high - error_) - 1);
     }

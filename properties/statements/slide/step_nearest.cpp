@@ -60,7 +60,7 @@ const Registered registered({
                 {"components", 3, 2}},
     .promises = {{"holes", 5}, {"parallel edges", 20}},
     .kills = {"nearest-boundary-covers-too-much", "ways-out-miss-exact-fits"},
-    .cases = 100,
+    .cases = 500,
     .check = check,
 });
 

@@ -27,7 +27,7 @@ TEST(PairOfBytes, is_valid_and_has_all_degeneracies) {
   constexpr int cases = 600;
   int pairs = 0, holes = 0, several_components = 0, touching = 0, fractions = 0, many_edges = 0;
   std::map<std::size_t, int> bits;  // as slide counts them
-  constexpr auto any = slide::Denominators::any;
+  constexpr auto long_too = slide::Denominators::any;
   for (int i = 0; i < cases; ++i) {
     const std::string bytes = random_bytes(random);
     const auto pair = pair_of_bytes(bytes);
@@ -48,7 +48,7 @@ TEST(PairOfBytes, is_valid_and_has_all_degeneracies) {
       touching += !touching_points(*region).empty();
     }
     many_edges += vertex_count(p) * vertex_count(q) > 512;
-    ++bits[slide::scaling_of(slide::extent_of(p, any), slide::extent_of(q, any)).bits];
+    ++bits[slide::scaling_of(slide::extent_of(p, long_too), slide::extent_of(q, long_too)).bits];
   }
   EXPECT_GT(pairs, cases * 9 / 10);
   EXPECT_GT(holes, cases / 6);
