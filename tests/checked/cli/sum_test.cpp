@@ -89,8 +89,8 @@ TEST_F(Sum, refuses_grids_that_are_none) {
   expect_refusal(command + "--side contain", "--side is for rounded output");
   expect_refusal(command + "--grid 1 --side left", "--side");
   expect_refusal(command + "--grid 1 --digits 2", "give one of the two");
-  expect_refusal(command + "--grid 1 --certificate c", "--certificate is for exact sums");
-  expect_refusal(command + "--digits 1 --certificate c", "--certificate is for exact sums");
+  expect_refusal(command + "--grid 1 --certificate c", "--certificate is for exact results");
+  expect_refusal(command + "--digits 1 --certificate c", "--certificate is for exact results");
   EXPECT_EQ(files().count("s.wkt") + files().count("c"), 0U);
 }
 
