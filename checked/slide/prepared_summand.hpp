@@ -26,7 +26,6 @@ class PreparedSummand {
 
   /// The bits of the largest coordinate if all are integers, else 0.
   std::size_t bits_of_integers() const { return bits_of_integers_; }
-  /// Requires: it is not empty.
   const Extent& extent() const { return extent_; }
 
  private:

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <limits>
+#include <utility>
 
 #include "checked/slide/number_types.hpp"
 
@@ -76,8 +77,9 @@ mpz_class scaled(const Rational& coordinate, const Scaling& scaling, const mpz_c
 
 Extent extent_of(const Region& region, Denominators denominators) {
   Extent extent;
-  extent.low = extent.high = region.components[0].outer[0];
+  bool is_first = true;
   each_vertex(region, [&](const Point& v) {
+    if (std::exchange(is_first, false)) extent.low = extent.high = v;
     for (const auto c : {&Point::x, &Point::y}) {
       if (v.*c < extent.low.*c) extent.low.*c = v.*c;
       if (extent.high.*c < v.*c) extent.high.*c = v.*c;

@@ -44,7 +44,7 @@ struct Extent {
 /// Whether a common denominator may have as many bits as it takes.
 enum class Denominators { alike, any };
 
-/// Requires: there is a vertex.
+/// Of a region without vertices, the box is the origin.
 Extent extent_of(const Region& region, Denominators denominators = Denominators::alike);
 
 /// Whether the common denominator has many more bits than any coordinate, so that computing with

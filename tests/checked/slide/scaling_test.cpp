@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "checked/operations/complement.hpp"
 #include "tests/checked/slide/exact_values.hpp"
 #include "tests/reference/definitions/shapes.hpp"
 
@@ -22,6 +23,29 @@ TEST(Scaling, of_rationals_is_a_power_of_two) {
     EXPECT_LE(largest, power_of_two(static_cast<int>(scaling.bits)));
     EXPECT_GE(largest, power_of_two(static_cast<int>(scaling.bits) - 3));
   }
+}
+
+TEST(Extent, is_of_all_chains_of_unbounded_regions_too) {
+  const Region p = polygon(box(1, 2, Rational(7, 2), Rational(13, 3)));
+  for (const Region& region : {p, complement(p)}) {
+    const Extent extent = extent_of(region);
+    EXPECT_EQ(extent.low, (Point{1, 2}));
+    EXPECT_EQ(extent.high, (Point{Rational(7, 2), Rational(13, 3)}));
+    EXPECT_EQ(extent.denominator, 6);
+  }
+  EXPECT_EQ(extent_of({}).high, (Point{0, 0}));
+}
+
+TEST(Extent, is_unlike_where_a_common_denominator_is_long) {
+  const auto extent = [](Denominators denominators) {
+    Chain chain;
+    for (int i = 0; i < 6; ++i)
+      chain.push_back({i + Rational(1, power_of_two(60).get_num() + 2 * i + 1), i * i});
+    return extent_of(polygon(chain), denominators);
+  };
+  EXPECT_TRUE(extent(Denominators::alike).is_unlike);
+  EXPECT_FALSE(extent(Denominators::any).is_unlike);
+  EXPECT_TRUE(has_unlike_denominators(extent(Denominators::any), {}));
 }
 
 }  // namespace
