@@ -16,9 +16,6 @@ Rational frame_size(const std::vector<const Region*>& regions);
 /// The square whose coordinates are up to k.
 Chain square(const Rational& k);
 
-/// The chain run backwards, from the same first vertex.
-Chain turned(const Chain& chain);
-
 /// The square's chain, then those of the region, turned, as holes. Requires: no coordinate is k or larger.
 Region complement_in_square(const Rational& k, const Region& region);
 

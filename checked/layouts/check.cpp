@@ -17,6 +17,7 @@
 #include "reference/chains/region_of.hpp"
 #include "reference/chains/touching_points.hpp"
 #include "reference/definitions/cells.hpp"
+#include "reference/definitions/common_denominator.hpp"
 #include "reference/definitions/exact_box.hpp"
 #include "reference/definitions/mutant.hpp"
 #include "reference/definitions/region.hpp"
@@ -31,13 +32,15 @@ namespace {
 class Unit {
  public:
   explicit Unit(const Sheet& sheet) {
-    for (const PlacedPart& part : sheet.parts) {
-      add(part.at);
-      add(*part.shape);
-    }
-    if (sheet.container) add(*sheet.container);
-    for (const DefectiveZone& defect : sheet.defects) add(defect.region);
-    if (mpz_sizeinbase(value_.get_mpz_t(), 2) > most_bits) value_ = 1;
+    const auto add = [&](const Region& region) {
+      return add_denominators(value_, region, most_bits);
+    };
+    bool is_short = true;
+    for (const PlacedPart& part : sheet.parts)
+      is_short = is_short && add(polygon({part.at})) && add(*part.shape);
+    if (sheet.container) is_short = is_short && add(*sheet.container);
+    for (const DefectiveZone& defect : sheet.defects) is_short = is_short && add(defect.region);
+    if (!is_short) value_ = 1;
   }
 
   Rational of(const Rational& length) const { return value_ == 1 ? length : length * value_; }
@@ -51,20 +54,6 @@ class Unit {
 
  private:
   static constexpr std::size_t most_bits = 40;
-
-  void add(const Region& region) {
-    for (const Component& component : region.components) {
-      for (const Point& x : component.outer) add(x);
-      for (const Chain& hole : component.holes)
-        for (const Point& x : hole) add(x);
-    }
-  }
-  void add(const Point& x) {
-    for (const Rational* value : {&x.x, &x.y})
-      if (mpz_divisible_p(value_.get_mpz_t(), value->get_den_mpz_t()) == 0 &&
-          mpz_sizeinbase(value_.get_mpz_t(), 2) <= most_bits)
-        value_ = lcm(value_, value->get_den());
-  }
 
   mpz_class value_ = 1;
 };

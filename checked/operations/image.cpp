@@ -1,23 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "checked/operations/image.hpp"
 
-#include <algorithm>
 #include <utility>
 
 #include "reference/chains/region_of.hpp"
 #include "reference/definitions/contract.hpp"
 #include "reference/definitions/mutant.hpp"
+#include "reference/definitions/region.hpp"
 
 namespace oplus {
-
-namespace {
-
-/// From its first vertex, which an unbounded region's outer chain does not have.
-void turn(Chain& chain) {
-  if (!chain.empty()) std::reverse(chain.begin() + 1, chain.end());
-}
-
-}  // namespace
 
 AffineMap scaled_by(const Rational& factor) { return {factor, 0, 0, factor}; }
 
@@ -28,8 +19,8 @@ Region image(const AffineMap& map, Region region) {
       !OPLUS_MUTANT("mirrored-chains-keep-their-order",
                     "maps that exchange left and right leave the interior on the right of edges")) {
     for (Component& component : result.components) {
-      turn(component.outer);
-      for (Chain& hole : component.holes) turn(hole);
+      component.outer = turned(std::move(component.outer));
+      for (Chain& hole : component.holes) hole = turned(std::move(hole));
     }
   }
   return result;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "checked/slide/number_types.hpp"
+#include "reference/definitions/common_denominator.hpp"
 
 namespace oplus::slide {
 
@@ -14,15 +15,6 @@ namespace {
 
 /// As much longer than each number a common denominator may be.
 constexpr std::size_t many_times = 4;
-
-template <typename Visit>
-void each_vertex(const Region& region, const Visit& visit) {
-  for (const Component& component : region.components) {
-    for (const Point& v : component.outer) visit(v);
-    for (const Chain& hole : component.holes)
-      for (const Point& v : hole) visit(v);
-  }
-}
 
 std::size_t bits(const mpz_class& value) {
   // Without a call.
@@ -87,14 +79,10 @@ Extent extent_of(const Region& region, Denominators denominators) {
         extent.longest = std::max({extent.longest, bits((v.*c).get_num()), bits(denominator)});
     }
   });
-  each_vertex(region, [&](const Point& v) {
-    for (const Rational* c : {&v.x, &v.y}) {
-      if (extent.is_unlike || is_one(c->get_den())) continue;
-      mpz_lcm(extent.denominator.get_mpz_t(), extent.denominator.get_mpz_t(), c->get_den_mpz_t());
-      extent.is_unlike = denominators == Denominators::alike &&
-                         bits(extent.denominator) > many_times * extent.longest;
-    }
-  });
+  const std::size_t most_bits = denominators == Denominators::any
+                                    ? std::numeric_limits<std::size_t>::max()
+                                    : many_times * extent.longest;
+  extent.is_unlike = !add_denominators(extent.denominator, region, most_bits);
   return extent;
 }
 

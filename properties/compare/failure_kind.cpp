@@ -7,6 +7,7 @@
 #include "checked/verify/closeness.hpp"
 #include "reference/chains/region_of.hpp"
 #include "reference/definitions/collision.hpp"
+#include "reference/definitions/common_denominator.hpp"
 #include "reference/definitions/difference.hpp"
 #include "reference/definitions/planar_set.hpp"
 #include "reference/definitions/winding_number.hpp"
@@ -68,8 +69,7 @@ struct Rounding {
       most = std::max({most, Rational(abs(edge.source.x)), Rational(abs(edge.source.y))});
     most /= 1000000;
     mpz_class denominators = 1;
-    for (const Segment& edge : edges(given))
-      denominators = lcm(lcm(denominators, edge.source.x.get_den()), edge.source.y.get_den());
+    for (const Segment& edge : edges(given)) add_denominators(denominators, edge.source);
     step = Rational(1, denominators);
   }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "reference/definitions/common_denominator.hpp"
 #include "reference/definitions/unbounded.hpp"
 #include "reference/definitions/winding_number.hpp"
 
@@ -54,21 +55,19 @@ std::size_t vertex_count(const Region& region) {
 }
 
 Rational twice_area(const Chain& chain) {
-  if (chain.empty()) return 0;
-  // All over one denominator, so that no product is reduced to lowest terms.
+  // In integers: a sum of fractions would be reduced to lowest terms at each step.
   mpz_class common = 1;
-  for (const Point& p : chain) common = lcm(common, lcm(p.x.get_den(), p.y.get_den()));
-  mpz_class sum, last_x, last_y, x, y;
-  const auto pass = [&](const Point& p) {
-    x = common / p.x.get_den() * p.x.get_num();
-    y = common / p.y.get_den() * p.y.get_num();
-    sum += last_x * y;
-    sum -= last_y * x;
-    swap(last_x, x);
-    swap(last_y, y);
-  };
-  pass(chain.back());
-  for (const Point& p : chain) pass(p);
+  for (const Point& p : chain) add_denominators(common, p);
+  std::vector<mpz_class> x, y;
+  for (const Point& p : chain) {
+    x.push_back(common / p.x.get_den() * p.x.get_num());
+    y.push_back(common / p.y.get_den() * p.y.get_num());
+  }
+  mpz_class sum;
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    const std::size_t j = next(i, chain.size());
+    sum += x[i] * y[j] - y[i] * x[j];
+  }
   Rational twice(sum, common * common);
   twice.canonicalize();
   return twice;
@@ -99,6 +98,11 @@ Region translated(Region region, const Vector& by) {
 
 Region reflected(Region region) {
   return mapped(std::move(region), [](const Point& p) { return -p; });
+}
+
+Chain turned(Chain chain) {
+  if (!chain.empty()) std::reverse(chain.begin() + 1, chain.end());
+  return chain;
 }
 
 Region together(Region a, const Region& b) {

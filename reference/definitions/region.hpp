@@ -33,6 +33,16 @@ Rational area(const Region& region);
 /// Whether some component has a hole.
 bool has_hole(const Region& region);
 
+/// Calls visit(p) with each vertex, in the order of `chains`.
+template <typename Visit>
+void each_vertex(const Region& region, const Visit& visit) {
+  for (const Component& component : region.components) {
+    for (const Point& p : component.outer) visit(p);
+    for (const Chain& hole : component.holes)
+      for (const Point& p : hole) visit(p);
+  }
+}
+
 /// Returns the region with `map(p)` in the place of each vertex p.
 template <typename Map>
 Region mapped(Region region, Map map) {
@@ -49,6 +59,9 @@ Region translated(Region region, const Vector& by);
 
 /// Returns -R: each point p becomes -p. Turns by π, so orientations stay.
 Region reflected(Region region);
+
+/// The chain the other way round, from the same first vertex.
+Chain turned(Chain chain);
 
 /// The components of both. Valid where these are apart, or touch in points only.
 Region together(Region a, const Region& b);

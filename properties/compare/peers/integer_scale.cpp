@@ -3,14 +3,14 @@
 
 #include <algorithm>
 
+#include "reference/definitions/common_denominator.hpp"
+
 namespace oplus {
 
 IntegerScale IntegerScale::least(const std::vector<Region>& regions) {
   mpz_class denominator = 1;
   for (const Region& region : regions)
-    for (const Segment& edge : edges(region))
-      for (const Rational& c : {edge.source.x, edge.source.y})
-        denominator = lcm(denominator, c.get_den());
+    each_vertex(region, [&](const Point& v) { add_denominators(denominator, v); });
   return {denominator};
 }
 
@@ -19,9 +19,9 @@ IntegerScale IntegerScale::of(const std::vector<Region>& regions, const mpz_clas
   Rational first = 0, second = 0;  // the largest of two regions
   for (const Region& region : regions) {
     Rational largest = 0;
-    for (const Segment& edge : edges(region))
-      for (const Rational& c : {edge.source.x, edge.source.y})
-        largest = std::max(largest, Rational(abs(c)));
+    each_vertex(region, [&](const Point& v) {
+      largest = std::max({largest, Rational(abs(v.x)), Rational(abs(v.y))});
+    });
     second = std::max(second, std::min(first, largest));
     first = std::max(first, largest);
   }
