@@ -20,6 +20,12 @@ namespace oplus::slide {
 /// short. That is less than what a pair's scaling says: the offset is always the middle of the same box.
 class KeptSummands {
  public:
+  /// Of the summand, which is always the same.
+  const Extent& extent(const Region& region) {
+    std::call_once(has_extent_, [&] { extent_ = extent_of(region); });
+    return extent_;
+  }
+
   template <typename Numbers>
   std::shared_ptr<const KeptSummand<Numbers>> in(const Region& region, const Scaling& scaling,
                                                  const Scaling::Offset& offset) {
@@ -63,6 +69,8 @@ class KeptSummands {
   template <typename Numbers>
   using Scaled = std::vector<One<Numbers>>;
 
+  std::once_flag has_extent_;
+  Extent extent_;
   std::mutex mutex_;
   std::tuple<Scaled<SmallNumbers>, Scaled<WideNumbers>, Scaled<AnyNumbers>, Scaled<RationalNumbers>>
       all_;

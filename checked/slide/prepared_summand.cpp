@@ -13,7 +13,6 @@ PreparedSummand::PreparedSummand(Region region)
 PreparedSummand::PreparedSummand(std::shared_ptr<const Region> region)
     : region_(std::move(region)),
       bits_of_integers_(slide::bits_of_integers(*region_)),
-      extent_(extent_of(*region_)),
       kept_(std::make_unique<KeptSummands>()) {}
 
 PreparedSummand::~PreparedSummand() = default;

@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <memory>
 
-#include "checked/slide/scaling.hpp"
 #include "reference/definitions/region.hpp"
 
 namespace oplus::slide {
@@ -26,12 +25,10 @@ class PreparedSummand {
 
   /// The bits of the largest coordinate if all are integers, else 0.
   std::size_t bits_of_integers() const { return bits_of_integers_; }
-  const Extent& extent() const { return extent_; }
 
  private:
   std::shared_ptr<const Region> region_;
   std::size_t bits_of_integers_;
-  Extent extent_;
   std::unique_ptr<KeptSummands> kept_;
 };
 
