@@ -26,23 +26,19 @@ Rational short_between(const Rational& a, const Rational& b) {
   return 0;
 }
 
+std::vector<Segment> features(const ClaimedSum& open_set) {
+  std::vector<Segment> all = open_set.dangling_edges;
+  for (const Point& p : open_set.isolated_vertices) all.push_back({p, p});
+  return all;
+}
+
 }  // namespace
 
 Seams::Seams(PieceSums& sums, const ShiftedDoubles& doubles, const ClaimedSum& open_set)
     : sums_(sums),
       doubles_(doubles),
-      features_(open_set.dangling_edges),
-      edges_(static_cast<std::uint32_t>(features_.size())) {
-  for (const Point& p : open_set.isolated_vertices) features_.push_back({p, p});
-  std::vector<Box> boxes, ordered;
-  for (const Segment& feature : features_) {
-    const Place a = doubles.near(feature.source), b = doubles.near(feature.target);
-    boxes.push_back(around({a.x, a.y, a.x, a.y}, {b.x, b.y, b.x, b.y}));
-  }
-  order_ = halving_order(boxes);
-  for (const std::uint32_t i : order_) ordered.push_back(boxes[i]);
-  boxes_ = BoxTree<>(ordered);
-}
+      features_(features(open_set)),
+      edges_(static_cast<std::uint32_t>(open_set.dangling_edges.size())) {}
 
 Seam Seams::seam(const Corner& from, const Corner& to, const IntegerLine& line, const Pair& usual) {
   if (is_inside_between(usual, *from, *to)) return {};
@@ -141,7 +137,7 @@ std::optional<Seams::Stretch> Seams::longest(const Corner& from, const Corner& t
 /// The interval on a dangling edge from a point.
 Seams::Stretch Seams::along_edge(const Corner& from, const Corner& to,
                                  const IntegerLine& line) const {
-  for (const std::uint32_t i : features_around(*from)) {
+  for (const std::uint32_t i : features_around(point_of(from->exact))) {
     HomogeneousPoint first = homogeneous(features_[i].source);
     HomogeneousPoint last = homogeneous(features_[i].target);
     if (side_of(line, first) != 0 || side_of(line, last) != 0) continue;
@@ -157,7 +153,7 @@ Seams::Stretch Seams::along_edge(const Corner& from, const Corner& to,
 /// The vertex or edge at a point.
 Seam::Place Seams::feature_at(const Corner& corner) const {
   const Point point = point_of(corner->exact);
-  for (const std::uint32_t i : features_around(*corner)) {
+  for (const std::uint32_t i : features_around(point)) {
     if (!lies_on(point, features_[i])) continue;
     if (i >= edges_) return IsolatedVertex{i - edges_};
     return DanglingEdge{i};
@@ -165,25 +161,12 @@ Seam::Place Seams::feature_at(const Corner& corner) const {
   throw PointOutsideSum(point);
 }
 
-/// Those whose boxes are around a point, or nearly.
-std::vector<std::uint32_t> Seams::features_around(const CellCorner& corner) const {
-  const auto [x, y] = corner.near;
-  const double error = sums_.error();
-  const Box place{x - error, y - error, x + error, y + error};
+/// Those whose boxes are around a point, or nearly, in their order.
+std::vector<std::uint32_t> Seams::features_around(const Point& point) const {
   std::vector<std::uint32_t> found;
-  std::vector<BoxTree<>::Range> open;
-  if (!boxes_.empty()) open.push_back(boxes_.all());
-  while (!open.empty()) {
-    const BoxTree<>::Range range = open.back();
-    open.pop_back();
-    if (!oplus::meet(boxes_[range], place)) continue;
-    if (range.is_leaf()) {
-      found.push_back(order_[range.begin]);
-    } else {
-      const auto [first, second] = range.halves();
-      open.insert(open.end(), {second, first});
-    }
-  }
+  features_.look_at_meeting(box_of(interval(Segment{point, point})),
+                            [&](std::size_t i) { found.push_back(static_cast<std::uint32_t>(i)); });
+  std::ranges::sort(found);
   return found;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "checked/certificates/piece_sums.hpp"
+#include "checked/collision/segment_tree.hpp"
 
 namespace oplus::certificates {
 
@@ -69,15 +70,12 @@ class Seams {
                                  bool starts_inside);
   Stretch along_edge(const Corner& from, const Corner& to, const IntegerLine& line) const;
   Seam::Place feature_at(const Corner& corner) const;
-  std::vector<std::uint32_t> features_around(const CellCorner& corner) const;
+  std::vector<std::uint32_t> features_around(const Point& point) const;
 
   PieceSums& sums_;
   const ShiftedDoubles& doubles_;
-  std::vector<Segment>
-      features_;         ///< dangling edges, then isolated vertices as segments without length
-  std::uint32_t edges_;  ///< how many of them are edges
-  std::vector<std::uint32_t> order_;  ///< of the features, in `boxes_`
-  BoxTree<> boxes_;
+  SegmentTree features_;  ///< dangling edges, then isolated vertices as segments without length
+  std::uint32_t edges_;   ///< how many of them are edges
   std::vector<HalfPlane> half_planes_;
 };
 
