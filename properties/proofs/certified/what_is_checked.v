@@ -81,20 +81,9 @@ Section Checked.
     apply passed_test in accepted. destruct accepted as [p_touch accepted].
     apply passed_test in accepted. destruct accepted as [q_touch accepted].
     apply passed_test in accepted. destruct accepted as [s_touch _].
-    split.
-    - exact p_is.
-    - exact q_is.
-    - exact s_is.
-    - exact p_reached.
-    - exact q_reached.
-    - exact inside_.
-    - exact beside.
-    - exact cells_.
-    - intros opened. rewrite opened in listed. now apply negb_false_iff.
-    - intros opened. rewrite opened in seams_. exact seams_.
-    - exact p_touch.
-    - exact q_touch.
-    - exact s_touch.
+    split; trivial; intros opened.
+    - rewrite opened in listed. now apply negb_false_iff.
+    - rewrite opened in seams_. exact seams_.
   Qed.
 End Checked.
 
