@@ -28,88 +28,169 @@ Rational rational(const Fraction<Numbers>& t) {
   return rational(t.numerator()) / rational(t.denominator());
 }
 
-/// x(t), ordered as in the plane. Coordinates are reduced to lowest terms only when they are put into a
+namespace detail {
+
+/// source + t direction, a coordinate of x(t), in GMP. Reduced to lowest terms only when it is put into a
 /// point: several pieces end in most of them.
 template <typename Numbers>
-class ExactPoint {
+class Coordinate {
  public:
-  ExactPoint() = default;
-  ExactPoint(const IntegerSegment<Numbers>& segment, const Fraction<Numbers>& t)
-      : point_{coordinate(segment.source.x, segment.direction.x, t),
-               coordinate(segment.source.y, segment.direction.y, t)} {}
-
-  /// Coordinates in units of 2^shift, off by less than one in 2^50.
-  double near_x(const Scaling& scaling) const { return near(point_.x, scaling); }
-  double near_y(const Scaling& scaling) const { return near(point_.y, scaling); }
-
-  void put_into(Point& point, const Scaling& scaling) const {
-    point = point_;
-    point.x.canonicalize();
-    point.y.canonicalize();
-    scaling.put_back(point);
-  }
-
-  Point in_the_plane(const Scaling& scaling) const {
-    Point point;
-    put_into(point, scaling);
-    return point;
-  }
-
-  bool has_x_of(const ExactPoint& other) const { return cmp(point_.x, other.point_.x) == 0; }
-
-  friend bool operator==(const ExactPoint& a, const ExactPoint& b) {
-    return a.has_x_of(b) && cmp(a.point_.y, b.point_.y) == 0;
-  }
-  friend bool operator<(const ExactPoint& a, const ExactPoint& b) {
-    const int order = cmp(a.point_.x, b.point_.x);
-    return order != 0 ? order < 0 : cmp(a.point_.y, b.point_.y) < 0;
-  }
-
- private:
   using Value = typename Numbers::Value;
 
-  /// source + t direction, not in lowest terms.
-  static Rational coordinate(const Value& source, const Value& direction,
-                             const Fraction<Numbers>& t) {
-    Rational result = rational(source);
-    if (t.numerator() == 0 || direction == 0) return result;
+  Coordinate() = default;
+  Coordinate(const Value& source, const Value& direction, const Fraction<Numbers>& t)
+      : value_(rational(source)) {
+    if (t.numerator() == 0 || direction == 0) return;
     Rational more = rational(direction);
     const Rational n = rational(t.numerator()), d = rational(t.denominator());
     if (n != d) {
       more.get_num() *= n.get_num() * d.get_den();
       more.get_den() *= n.get_den() * d.get_num();
     }
-    result.get_num() *= more.get_den();
-    result.get_num() += more.get_num() * result.get_den();
-    result.get_den() *= more.get_den();
-    return result;
+    value_.get_num() *= more.get_den();
+    value_.get_num() += more.get_num() * value_.get_den();
+    value_.get_den() *= more.get_den();
   }
 
-  static double near(Rational coordinate, const Scaling& scaling) {
-    mpq_div_2exp(coordinate.get_mpq_t(), coordinate.get_mpq_t(), scaling.shift);
-    return coordinate.get_d();
+  friend bool operator==(const Coordinate& a, const Coordinate& b) {
+    return cmp(a.value_, b.value_) == 0;
+  }
+  friend bool operator<(const Coordinate& a, const Coordinate& b) {
+    return cmp(a.value_, b.value_) < 0;
   }
 
-  Point point_;
+  double near(const Scaling& scaling) const {
+    Rational moved;
+    mpq_div_2exp(moved.get_mpq_t(), value_.get_mpq_t(), scaling.shift);
+    return moved.get_d();
+  }
+
+  void put_into(Rational& value) const {
+    value = value_;
+    value.canonicalize();
+  }
+
+ private:
+  Rational value_;
 };
 
+/// The same, not in lowest terms either, in integers of fixed width, which need not be allocated.
 template <>
-class ExactPoint<SmallNumbers> {
+class Coordinate<WideNumbers> {
  public:
-  ExactPoint() = default;
-  ExactPoint(const IntegerSegment<SmallNumbers>& segment, const Fraction<SmallNumbers>& t) {
-    Value n = t.numerator(), d = t.denominator();
-    if (d != 1) {
-      const Value common = std::gcd(n, d);
-      n /= common;
-      d /= common;
+  /// A product of the numerator of one and the denominator of another has at most 317 bits.
+  using Integer = FixedInteger<320>;
+  using Value = WideNumbers::Value;
+
+  Coordinate() = default;
+  Coordinate(const Value& source, const Value& direction, const Fraction<WideNumbers>& t)
+      : numerator(source) {
+    if (t.numerator() == 0 || direction == 0) return;
+    if (t.numerator() == t.denominator()) {
+      numerator = source + direction;
+    } else {
+      denominator = t.denominator();
+      numerator = Integer(source) * denominator + Integer(direction) * Integer(t.numerator());
     }
-    x_ = coordinate(segment.source.x, segment.direction.x, n, d);
-    y_ = coordinate(segment.source.y, segment.direction.y, n, d);
   }
 
-  double near_x(const Scaling& /*has no shift*/) const { return x_.near(); }
-  double near_y(const Scaling& /*has no shift*/) const { return y_.near(); }
+  friend bool operator==(const Coordinate& a, const Coordinate& b) {
+    if (a.denominator == b.denominator) return a.numerator == b.numerator;
+    return a.numerator * Integer(b.denominator) == b.numerator * Integer(a.denominator);
+  }
+  friend bool operator<(const Coordinate& a, const Coordinate& b) {
+    return a.numerator * Integer(b.denominator) < b.numerator * Integer(a.denominator);
+  }
+
+  double near(const Scaling& scaling) const {
+    return std::ldexp(to_double(numerator) / to_double(denominator),
+                      -static_cast<int>(scaling.shift));
+  }
+
+  void put_into(Rational& value) const {
+    const auto& words = numerator.backend();
+    mpz_import(value.get_num_mpz_t(), words.size(), -1, sizeof(*words.limbs()), 0, 0,
+               words.limbs());
+    if (words.sign()) mpz_neg(value.get_num_mpz_t(), value.get_num_mpz_t());
+    set_integer(value.get_den_mpz_t(), denominator);
+    if (denominator != 1) value.canonicalize();
+  }
+
+  Integer numerator = 0;
+  Value denominator = 1;
+};
+
+/// In lowest terms, so that equal ones have equal numbers.
+template <>
+class Coordinate<SmallNumbers> {
+ public:
+  using Value = SmallNumbers::Value;
+  using Integer = SmallNumbers::Product;
+
+  Coordinate() = default;
+  /// Requires: t in lowest terms.
+  Coordinate(Value source, Value direction, const Fraction<SmallNumbers>& t)
+      : denominator(t.denominator()) {
+    if (denominator == 1) {
+      numerator = source + Integer(direction) * t.numerator();
+    } else {
+      const Value common = std::gcd(direction, denominator);
+      denominator /= common;
+      numerator = Integer(source) * denominator + Integer(direction / common) * t.numerator();
+    }
+  }
+
+  friend bool operator==(const Coordinate&, const Coordinate&) = default;
+  /// By what is before the point, then by what is behind it: a product of both numbers of different
+  /// coordinates may not fit.
+  bool operator<(const Coordinate& other) const {
+    const Integer before = floor(), other_before = other.floor();
+    if (before != other_before) return before < other_before;
+    return (numerator - before * denominator) * other.denominator <
+           (other.numerator - other_before * other.denominator) * denominator;
+  }
+
+  Integer floor() const {
+    const Integer towards_zero = numerator / denominator;
+    return towards_zero * denominator > numerator ? towards_zero - 1 : towards_zero;
+  }
+
+  double near(const Scaling& /*has no shift*/) const {
+    if (const auto value = static_cast<Value>(numerator); value == numerator && denominator == 1)
+      return static_cast<double>(value);
+    return static_cast<double>(numerator) / static_cast<double>(denominator);
+  }
+
+  void put_into(Rational& value) const {
+    set_integer(value.get_num_mpz_t(), numerator);
+    set_integer(value.get_den_mpz_t(), denominator);
+  }
+
+  Integer numerator = 0;
+  Value denominator = 1;
+};
+
+}  // namespace detail
+
+/// x(t), ordered as in the plane.
+template <typename Numbers>
+class ExactPoint {
+ public:
+  ExactPoint() = default;
+  ExactPoint(const IntegerSegment<Numbers>& segment, const Fraction<Numbers>& t) {
+    if constexpr (is_small<Numbers>) {
+      if (t.denominator() != 1) {
+        const std::int64_t common = std::gcd(t.numerator(), t.denominator());
+        set(segment, {t.numerator() / common, t.denominator() / common});
+        return;
+      }
+    }
+    set(segment, t);
+  }
+
+  /// Coordinates in units of 2^shift, off by less than one in 2^50.
+  double near_x(const Scaling& scaling) const { return x_.near(scaling); }
+  double near_y(const Scaling& scaling) const { return y_.near(scaling); }
 
   /// The point in the plane, without a point to be allocated.
   void put_into(Point& point, const Scaling& scaling) const {
@@ -126,77 +207,39 @@ class ExactPoint<SmallNumbers> {
 
   bool has_x_of(const ExactPoint& other) const { return x_ == other.x_; }
 
-  friend bool operator==(const ExactPoint& a, const ExactPoint& b) {
-    return a.x_ == b.x_ && a.y_ == b.y_;
-  }
+  friend bool operator==(const ExactPoint& a, const ExactPoint& b) = default;
   friend bool operator<(const ExactPoint& a, const ExactPoint& b) {
     return a.x_ == b.x_ ? a.y_ < b.y_ : a.x_ < b.x_;
   }
 
   /// Whether x is on the segment from a to b; no answer where one of them has a denominator.
   static std::optional<bool> lies_between_integers(const ExactPoint& x, const ExactPoint& a,
-                                                   const ExactPoint& b) {
+                                                   const ExactPoint& b) requires
+      has_fixed_width<Numbers> {
     for (const ExactPoint* point : {&x, &a, &b})
       if (point->x_.denominator != 1 || point->y_.denominator != 1) return std::nullopt;
-    const Product ux = b.x_.numerator - a.x_.numerator, uy = b.y_.numerator - a.y_.numerator;
-    const Product vx = x.x_.numerator - a.x_.numerator, vy = x.y_.numerator - a.y_.numerator;
+    using Integer = typename detail::Coordinate<Numbers>::Integer;
+    const Integer ux = b.x_.numerator - a.x_.numerator, uy = b.y_.numerator - a.y_.numerator;
+    const Integer vx = x.x_.numerator - a.x_.numerator, vy = x.y_.numerator - a.y_.numerator;
     if (ux * vy != uy * vx) return false;
-    const Product along = ux * vx + uy * vy;
+    const Integer along = ux * vx + uy * vy;
     return along >= 0 && along <= ux * ux + uy * uy;
   }
 
  private:
-  using Value = SmallNumbers::Value;
-  using Product = SmallNumbers::Product;
-
-  struct Coordinate {
-    Product numerator = 0;
-    Value denominator = 1;
-
-    friend bool operator==(const Coordinate&, const Coordinate&) = default;
-    /// By what is before the point, then by what is behind it: a product of both numbers of different
-    /// coordinates may not fit.
-    bool operator<(const Coordinate& other) const {
-      const Product before = floor(), other_before = other.floor();
-      if (before != other_before) return before < other_before;
-      return (numerator - before * denominator) * other.denominator <
-             (other.numerator - other_before * other.denominator) * denominator;
-    }
-
-    Product floor() const {
-      const Product towards_zero = numerator / denominator;
-      return towards_zero * denominator > numerator ? towards_zero - 1 : towards_zero;
-    }
-
-    double near() const {
-      if (const auto value = static_cast<Value>(numerator); value == numerator && denominator == 1)
-        return static_cast<double>(value);
-      return static_cast<double>(numerator) / static_cast<double>(denominator);
-    }
-
-    void put_into(Rational& value) const {
-      set_integer(value.get_num_mpz_t(), numerator);
-      set_integer(value.get_den_mpz_t(), denominator);
-    }
-  };
-
-  /// source + direction n / d, where n and d have no common factor.
-  static Coordinate coordinate(Value source, Value direction, Value n, Value d) {
-    if (d == 1) return {source + Product(direction) * n, 1};
-    const Value common = std::gcd(direction, d);
-    d /= common;
-    return {Product(source) * d + Product(direction / common) * n, d};
+  void set(const IntegerSegment<Numbers>& segment, const Fraction<Numbers>& t) {
+    x_ = {segment.source.x, segment.direction.x, t};
+    y_ = {segment.source.y, segment.direction.y, t};
   }
 
-  Coordinate x_;
-  Coordinate y_;
+  detail::Coordinate<Numbers> x_, y_;
 };
 
 /// Whether x is on the segment from a to b.
 template <typename Numbers>
 bool lies_between(const ExactPoint<Numbers>& x, const ExactPoint<Numbers>& a,
                   const ExactPoint<Numbers>& b, const Scaling& scaling) {
-  if constexpr (is_small<Numbers>) {
+  if constexpr (has_fixed_width<Numbers>) {
     if (const auto answer = ExactPoint<Numbers>::lies_between_integers(x, a, b)) return *answer;
   }
   return lies_on(x.in_the_plane(scaling), {a.in_the_plane(scaling), b.in_the_plane(scaling)});

@@ -56,45 +56,48 @@ NamedEnds<Numbers> named_ends(const ShortList<FreePiece<Numbers>>& pieces,
     if (a.near_y != b.near_y) return a.near_y < b.near_y;
     return a.end < b.end;
   });
+  const auto is_close = [](double a, double b) {
+    return b - a <= 0x1p-48 * (std::abs(b) + std::abs(a));
+  };
   // Whether each has the x of the one before, and whether it is the same point.
   ShortList<char> same_x(ends.size()), same(ends.size());
   const auto compare = [&](std::size_t first, std::size_t last) {
     for (std::size_t k = std::max<std::size_t>(first, 1); k < last; ++k) {
       const ExactPoint<Numbers>& a = ends[sorted[k - 1].end];
       const ExactPoint<Numbers>& b = ends[sorted[k].end];
-      same_x[k] = a.has_x_of(b);
-      same[k] = a == b;
+      same_x[k] = is_close(sorted[k - 1].near_x, sorted[k].near_x) && a.has_x_of(b);
+      same[k] = same_x[k] && a == b;
     }
   };
   for_each_part(ends.size(), threads, compare);
-  // Equal coordinates are equal in doubles. Where doubles are equal or close and coordinates are not,
-  // these decide.
+  // Equal coordinates are close in doubles. Where doubles are close and coordinates are not equal, or the
+  // other way round, coordinates decide.
   const auto each_close = [&](std::size_t first, std::size_t last, double Place::*near,
                               const auto& visit) {
     while (first < last) {
-      const auto is_close = [&](double a, double b) {
-        return b - a <= 0x1p-48 * (std::abs(b) + std::abs(sorted[first].*near));
-      };
       std::size_t next = first + 1;
       while (next < last && is_close(sorted[next - 1].*near, sorted[next].*near)) ++next;
       visit(first, next);
       first = next;
     }
   };
-  const auto sort_unless = [&](const ShortList<char>& equal, std::size_t first, std::size_t last) {
-    const auto at = [](auto& list, std::size_t k) {
-      return list.begin() + static_cast<std::ptrdiff_t>(k);
-    };
-    if (std::find(at(equal, first + 1), at(equal, last), false) == at(equal, last)) return true;
+  const auto at = [](auto& list, std::size_t k) {
+    return list.begin() + static_cast<std::ptrdiff_t>(k);
+  };
+  const auto are_all = [&](const ShortList<char>& equal, std::size_t first, std::size_t last) {
+    return std::find(at(equal, first + 1), at(equal, last), false) == at(equal, last);
+  };
+  const auto sort = [&](std::size_t first, std::size_t last) {
     std::sort(at(sorted, first), at(sorted, last),
               [&](const Place& a, const Place& b) { return ends[a.end] < ends[b.end]; });
     compare(first + 1, last);
-    return false;
   };
   each_close(0, sorted.size(), &Place::near_x, [&](std::size_t first, std::size_t last) {
-    if (sort_unless(same_x, first, last))
-      each_close(first, last, &Place::near_y,
-                 [&](std::size_t from, std::size_t to) { sort_unless(same, from, to); });
+    if (sorted[first].near_x != sorted[last - 1].near_x || !are_all(same_x, first, last))
+      return sort(first, last);
+    each_close(first, last, &Place::near_y, [&](std::size_t from, std::size_t to) {
+      if (!are_all(same, from, to)) sort(from, to);
+    });
   });
   ShortList<std::uint32_t> names(ends.size());
   std::uint32_t different = 0;

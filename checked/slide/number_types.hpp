@@ -47,6 +47,9 @@ template <typename Numbers>
 constexpr bool is_wide = std::is_same_v<Numbers, WideNumbers>;
 
 template <typename Numbers>
+constexpr bool has_fixed_width = is_small<Numbers> || is_wide<Numbers>;
+
+template <typename Numbers>
 constexpr bool is_rational = std::is_same_v<Numbers, RationalNumbers>;
 
 template <typename Value>

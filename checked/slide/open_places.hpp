@@ -10,6 +10,7 @@
 #include "checked/slide/contacts.hpp"
 #include "checked/slide/free_pieces.hpp"
 #include "checked/slide/named_ends.hpp"
+#include "checked/slide/short_list.hpp"
 
 namespace oplus::slide {
 
@@ -207,10 +208,10 @@ class OpenPlaces {
   const ReducedSegment<Numbers>* segment_ = nullptr;
   std::uint32_t number_ = 0;
   bool covers_all_ = false;
-  std::vector<Interval> intervals_;
-  std::vector<Piece<Numbers>> settled_;  ///< free, or in the open sum since components overlap
-  std::vector<Piece<Numbers>> gaps_;
-  std::vector<Fraction<Numbers>> places_;
+  ShortList<Interval> intervals_;
+  ShortList<Piece<Numbers>> settled_;  ///< free, or in the open sum since components overlap
+  ShortList<Piece<Numbers>> gaps_;
+  ShortList<Fraction<Numbers>> places_;
 };
 
 }  // namespace oplus::slide
