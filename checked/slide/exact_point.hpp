@@ -65,10 +65,7 @@ class Coordinate {
     return moved.get_d();
   }
 
-  void put_into(Rational& value) const {
-    value = value_;
-    value.canonicalize();
-  }
+  void put_into(Rational& value) const { value = value_; }
 
  private:
   Rational value_;
@@ -113,7 +110,6 @@ class Coordinate<WideNumbers> {
                words.limbs());
     if (words.sign()) mpz_neg(value.get_num_mpz_t(), value.get_num_mpz_t());
     set_integer(value.get_den_mpz_t(), denominator);
-    if (denominator != 1) value.canonicalize();
   }
 
   Integer numerator = 0;
@@ -196,7 +192,7 @@ class ExactPoint {
   void put_into(Point& point, const Scaling& scaling) const {
     x_.put_into(point.x);
     y_.put_into(point.y);
-    if (!scaling.is_trivial()) scaling.put_back(point);
+    if (!is_small<Numbers> || !scaling.is_trivial()) scaling.put_back(point);
   }
 
   Point in_the_plane(const Scaling& scaling) const {

@@ -42,21 +42,15 @@ std::size_t largest_bits(const Extent& extent, const Scaling& scaling,
 }  // namespace
 
 void Scaling::put_back(Point& point) const {
-  if (is_moved) {
-    point.x += of_p.x + of_q.x;
-    point.y += of_p.y + of_q.y;
-  }
-  if (is_one(denominator)) return;
-  const mp_bitcnt_t twos = mpz_scan1(denominator.get_mpz_t(), 0);
-  const bool is_power_of_two = mpz_sizeinbase(denominator.get_mpz_t(), 2) == twos + 1;
-  for (Rational* c : {&point.x, &point.y}) {
-    if (is_power_of_two) {
-      mpq_div_2exp(c->get_mpq_t(), c->get_mpq_t(), twos);
-    } else {
-      c->get_den() *= denominator;
-      c->canonicalize();
-    }
-  }
+  const auto put_back = [&](Rational& c, const mpz_class& of_p, const mpz_class& of_q) {
+    if (is_moved)
+      for (const mpz_class* offset : {&of_p, &of_q})
+        mpz_addmul(c.get_num_mpz_t(), c.get_den_mpz_t(), offset->get_mpz_t());
+    if (!is_one(denominator)) c.get_den() *= denominator;
+    if (!is_one(c.get_den())) c.canonicalize();
+  };
+  put_back(point.x, of_p.x, of_q.x);
+  put_back(point.y, of_p.y, of_q.y);
 }
 
 mpz_class scaled(const Rational& coordinate, const Scaling& scaling, const mpz_class& offset) {

@@ -29,7 +29,7 @@ struct Scaling {
   bool is_trivial() const { return is_one(denominator) && bits <= 29 && !is_moved; }
   bool is_moved = false;
 
-  /// A point of the scaled sum becomes one of the sum.
+  /// A point of the scaled sum, in lowest terms or not, becomes one of the sum, in lowest terms.
   void put_back(Point& point) const;
 };
 

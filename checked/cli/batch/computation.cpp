@@ -52,21 +52,22 @@ void Computation::add(std::string& line, const slide::PreparedSummand& p,
   add(line, sum_of_prepared(p, q, operation.boundary).sum);
 }
 
-void Computation::add(std::string& line, const PlanarSet& result) const {
+void Computation::add(std::string& line, PlanarSet result) const {
   // Only .dat, which has several lines, can hold an unbounded set.
   if (result.is_unbounded) line += ", \"complement\": true";
   if (form == ResultForm::area) {
     line += ", \"area\": \"" +
-            to_string(area(result.is_unbounded ? complement(result) : result), digits) + '"';
+            to_string(result.is_unbounded ? area(complement(result)) : area(result), digits) + '"';
     return;
   }
+  const bool is_unbounded = result.is_unbounded;
   RoundedSet of_line;
   if (grid)
     of_line = rounded(result, operation.boundary, grid->step, grid->side);
   else
-    of_line.set = result;
-  if (result.is_unbounded) of_line.set = complement(of_line.set);
-  if (!grid || result.is_unbounded) of_line.region = region_of(of_line.set);
+    of_line.set = std::move(result);
+  if (is_unbounded) of_line.set = complement(of_line.set);
+  if (!grid || is_unbounded) of_line.region = region_of(of_line.set);
   const Format format = form == ResultForm::wkt   ? Format::wkt
                         : form == ResultForm::wkb ? Format::wkb
                                                   : Format::geojson;

@@ -39,7 +39,7 @@ struct Computation {
            const slide::PreparedSummand& q) const;
 
  private:
-  void add(std::string& line, const PlanarSet& result) const;
+  void add(std::string& line, PlanarSet result) const;
 };
 
 /// Adds a line to the results. compute(line) gets the beginning of the line, `{"line": 7` for example, and
