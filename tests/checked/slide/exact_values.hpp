@@ -7,6 +7,7 @@
 #include "checked/slide/exact_point.hpp"
 #include "checked/slide/integer_summands.hpp"
 #include "reference/definitions/segment.hpp"
+#include "reference/families/random.hpp"
 
 namespace oplus::slide {
 
@@ -43,6 +44,19 @@ Fraction<Numbers> fraction(const mpz_class& n, const mpz_class& d) {
 template <typename Numbers>
 Rational place_of(const Fraction<Numbers>& fraction) {
   return Rational(integer(fraction.numerator())) / integer(fraction.denominator());
+}
+
+/// An upper bound for the number of bits of a fraction's numbers in tests.
+template <typename Numbers>
+constexpr unsigned bits = is_small<Numbers>  ? 62
+                          : is_wide<Numbers> ? 126
+                                             : 3000;
+
+inline mpz_class odd_number(Random& random, unsigned of_bits) {
+  mpz_class number = 1;
+  while (mpz_sizeinbase(number.get_mpz_t(), 2) < of_bits)
+    number = (number << 16) + uniform(random, 1, 0xffff);
+  return (number >> (mpz_sizeinbase(number.get_mpz_t(), 2) - of_bits)) | 1;
 }
 
 /// From one point to another. Requires: integer coordinates.

@@ -5,7 +5,6 @@
 
 #include <vector>
 
-#include "reference/families/random.hpp"
 #include "tests/checked/slide/exact_values.hpp"
 
 namespace oplus::slide {
@@ -14,19 +13,6 @@ namespace {
 template <typename Numbers>
 class FractionIn : public testing::Test {};
 TYPED_TEST_SUITE(FractionIn, AllNumbers);
-
-/// An upper bound for the number of bits of a fraction's numbers here.
-template <typename Numbers>
-constexpr unsigned bits = is_small<Numbers>  ? 62
-                          : is_wide<Numbers> ? 126
-                                             : 3000;
-
-mpz_class odd_number(Random& random, unsigned of_bits) {
-  mpz_class number = 1;
-  while (mpz_sizeinbase(number.get_mpz_t(), 2) < of_bits)
-    number = (number << 16) + uniform(random, 1, 0xffff);
-  return (number >> (mpz_sizeinbase(number.get_mpz_t(), 2) - of_bits)) | 1;
-}
 
 template <typename Numbers>
 void expect_less(const Fraction<Numbers>& a, const Fraction<Numbers>& b) {
