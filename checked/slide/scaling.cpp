@@ -42,9 +42,9 @@ std::size_t largest_bits(const Extent& extent, const Scaling& scaling,
 }  // namespace
 
 void Scaling::put_back(Point& point) const {
-  const auto put_back = [&](Rational& c, const mpz_class& of_p, const mpz_class& of_q) {
+  const auto put_back = [&](Rational& c, const mpz_class& first, const mpz_class& second) {
     if (is_moved)
-      for (const mpz_class* offset : {&of_p, &of_q})
+      for (const mpz_class* offset : {&first, &second})
         mpz_addmul(c.get_num_mpz_t(), c.get_den_mpz_t(), offset->get_mpz_t());
     if (!is_one(denominator)) c.get_den() *= denominator;
     if (!is_one(c.get_den())) c.canonicalize();
