@@ -18,10 +18,9 @@ TYPED_TEST_SUITE(NamedEndsIn, AllNumbers);
 /// Names the ends of pieces from k / 7 to (k + 1) / 7 of all segments, in fractions that are not reduced,
 /// and compares them with the points as rationals.
 template <typename Numbers>
-void expect_names(const Region& p, const Region& q) {
+void expect_names(const Region& p, const Region& q, Random& random) {
   const Scaling scaling = scaling_of(extent_of(p), extent_of(q));
   const ReducedSegments<Numbers> segments(p, q, scaling);
-  Random random(1);
   const auto place = [&](long n) {
     const mpz_class by = odd_number(
         random, static_cast<unsigned>(uniform(random, 1, static_cast<int>(bits<Numbers>) - 4)));
@@ -61,10 +60,11 @@ void expect_names(const Region& p, const Region& q) {
 }
 
 TYPED_TEST(NamedEndsIn, are_in_the_order_of_the_plane_whatever_fractions_say_where) {
-  constexpr long size = is_small<TypeParam> ? (1L << 27) : (1L << 59);
-  for (const long far : {2L, size})
-    expect_names<TypeParam>(polygon(box(-far, 0, far, far)),
-                            polygon(box(1 - far, 1, far / 2, far - 1)));
+  Random random(1);
+  for (const Rational& size : {Rational(4), power_of_two(is_small<TypeParam> ? 27 : 59)})
+    for (int k = 0; k < 20; ++k)
+      expect_names<TypeParam>(polygon(box(-size, 0, size, size)),
+                              polygon(box(1 - size, 1, size / 2, size - 1)), random);
 }
 
 }  // namespace
