@@ -21,7 +21,6 @@
 #include "checked/cli/spacing.hpp"
 #include "checked/cli/usage_error.hpp"
 #include "reference/io/counted.hpp"
-#include "reference/io/invalid_input.hpp"
 
 namespace oplus {
 

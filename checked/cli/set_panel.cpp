@@ -3,7 +3,6 @@
 
 #include <boost/algorithm/string/join.hpp>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "reference/chains/region_of.hpp"

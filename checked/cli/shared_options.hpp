@@ -4,9 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "checked/cli/exit_code.hpp"
 #include "checked/cli/output.hpp"
-#include "checked/cli/subcommands.hpp"
 #include "checked/engine.hpp"
 #include "reference/definitions/planar_set.hpp"
 #include "reference/definitions/rational.hpp"

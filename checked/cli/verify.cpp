@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "checked/verify/verify.hpp"
 
-#include <algorithm>
 #include <optional>
 #include <set>
 #include <utility>

@@ -5,7 +5,6 @@
 #include <boost/algorithm/string/join.hpp>
 #include <filesystem>
 #include <iostream>
-#include <optional>
 #include <thread>
 
 #include "checked/arrangement/hole_test.hpp"

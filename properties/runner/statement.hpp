@@ -55,8 +55,8 @@ struct Promise {
 /// A statement of the thesis or a fact of our own, as something that can be found false.
 struct Statement {
   std::string id;  ///< kind and number: "lemma-4.1.4"
-  std::vector<Source> sources;
-  std::vector<Promise> promises;
+  std::vector<Source> sources = {};
+  std::vector<Promise> promises = {};
   std::vector<std::string> kills;  ///< mutants that the statement must find
   std::size_t cases = 0;           ///< how many a run tries unless told otherwise
   std::string file = std::source_location::current().file_name();  ///< where it stands

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <utility>
-#include <vector>
 
 #include "reference/chains/validity.hpp"
 #include "reference/families/cells.hpp"

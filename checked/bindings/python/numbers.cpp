@@ -2,7 +2,6 @@
 #include "checked/bindings/python/numbers.hpp"
 
 #include <cstdlib>
-#include <string>
 
 namespace oplus::python {
 

@@ -6,7 +6,6 @@
 
 #include <cstddef>
 #include <oplus/oplus.hpp>
-#include <utility>
 #include <variant>
 #include <vector>
 

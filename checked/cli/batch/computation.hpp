@@ -4,7 +4,6 @@
 #include <functional>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "checked/cli/batch/results.hpp"
 #include "checked/cli/output.hpp"

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "properties/statements/chapter2/boundary_coverage.hpp"
 
-#include <set>
-
 #include "reference/definitions/cut_at_intersections.hpp"
 
 namespace oplus {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 
-#include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
 #include "properties/statements/chapter2/paths_across.hpp"
 #include "properties/statements/placements/open_sum.hpp"
@@ -54,14 +53,10 @@ Outcome check(const Summands& summands) {
   return outcome;
 }
 
-const Registered registered({
-    .id = "corollary-2.2.3",
-    .sources = small_mixture(),
-    .promises = promises_of_mixture(),
-    .kills = {"ends-are-not-on-their-segment"},
-    .cases = 200,
-    .check = check,
-});
+const Registered registered(small_mixture(), {.id = "corollary-2.2.3",
+                                              .kills = {"ends-are-not-on-their-segment"},
+                                              .cases = 200,
+                                              .check = check});
 
 }  // namespace
 

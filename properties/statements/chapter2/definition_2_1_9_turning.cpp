@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
 #include "reference/definitions/region.hpp"
 #include "reference/io/writing.hpp"
@@ -52,14 +51,10 @@ Outcome check(const Summands& summands) {
   return outcome;
 }
 
-const Registered registered({
-    .id = "definition-2.1.9",
-    .sources = larger_mixture(),
-    .promises = promises_of_mixture(),
-    .kills = {"left-and-right-are-one-direction"},
-    .cases = 1000,
-    .check = check,
-});
+const Registered registered(larger_mixture(), {.id = "definition-2.1.9",
+                                               .kills = {"left-and-right-are-one-direction"},
+                                               .cases = 1000,
+                                               .check = check});
 
 }  // namespace
 

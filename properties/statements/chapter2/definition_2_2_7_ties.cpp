@@ -33,8 +33,6 @@ Enumeration enumerate() {
 
 const Registered registered({
     .id = "definition-2.2.7",
-    .sources = {},
-    .promises = {},
     .kills = {"ties-go-the-other-way", "left-and-right-are-one-direction", "angles-grow-clockwise",
               "between-is-on-the-other-arc"},
     .enumerate = enumerate,

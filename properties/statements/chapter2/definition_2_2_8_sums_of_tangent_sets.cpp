@@ -2,7 +2,6 @@
 #include <optional>
 #include <set>
 
-#include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
 #include "reference/definitions/convolution.hpp"
 #include "reference/definitions/cut_at_intersections.hpp"
@@ -145,14 +144,12 @@ Outcome check(const Summands& summands) {
   return outcome;
 }
 
-const Registered registered({
-    .id = "definition-2.2.8",
-    .sources = small_mixture(),
-    .promises = promises_of_mixture(),
-    .kills = {"reflex-turns-clockwise", "tangent-set-without-ties", "tie-rule-depends-on-who-asks"},
-    .cases = 300,
-    .check = check,
-});
+const Registered registered(small_mixture(),
+                            {.id = "definition-2.2.8",
+                             .kills = {"reflex-turns-clockwise", "tangent-set-without-ties",
+                                       "tie-rule-depends-on-who-asks"},
+                             .cases = 300,
+                             .check = check});
 
 }  // namespace
 

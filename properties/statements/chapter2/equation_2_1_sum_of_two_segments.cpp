@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 
-#include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
 #include "reference/definitions/region.hpp"
 #include "reference/io/writing.hpp"
@@ -78,14 +77,10 @@ Outcome check(const Summands& summands) {
   return outcome;
 }
 
-const Registered registered({
-    .id = "equation-2.1",
-    .sources = small_mixture(),
-    .promises = promises_of_mixture(),
-    .kills = {"segments-end-to-end-stay-apart"},
-    .cases = 300,
-    .check = check,
-});
+const Registered registered(small_mixture(), {.id = "equation-2.1",
+                                              .kills = {"segments-end-to-end-stay-apart"},
+                                              .cases = 300,
+                                              .check = check});
 
 }  // namespace
 

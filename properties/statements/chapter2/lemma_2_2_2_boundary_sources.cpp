@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
 #include "properties/statements/chapter2/paths_across.hpp"
 #include "properties/statements/placements/open_sum.hpp"
@@ -41,14 +40,10 @@ Outcome check(const Summands& summands) {
   return outcome;
 }
 
-const Registered registered({
-    .id = "lemma-2.2.2",
-    .sources = small_mixture(),
-    .promises = promises_of_mixture(),
-    .kills = {"containment-is-no-collision"},
-    .cases = 200,
-    .check = check,
-});
+const Registered registered(small_mixture(), {.id = "lemma-2.2.2",
+                                              .kills = {"containment-is-no-collision"},
+                                              .cases = 200,
+                                              .check = check});
 
 }  // namespace
 

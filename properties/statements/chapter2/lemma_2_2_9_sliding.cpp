@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <set>
 
-#include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
 #include "properties/statements/placements/open_sum.hpp"
 #include "reference/chains/touching_points.hpp"
@@ -82,14 +81,10 @@ Outcome check(const Summands& summands) {
   return outcome;
 }
 
-const Registered registered({
-    .id = "lemma-2.2.9",
-    .sources = small_mixture(),
-    .promises = promises_of_mixture(),
-    .kills = {"reflex-turns-clockwise"},
-    .cases = 100,
-    .check = check,
-});
+const Registered registered(small_mixture(), {.id = "lemma-2.2.9",
+                                              .kills = {"reflex-turns-clockwise"},
+                                              .cases = 100,
+                                              .check = check});
 
 }  // namespace
 

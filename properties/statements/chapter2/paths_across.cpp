@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "properties/statements/chapter2/paths_across.hpp"
 
-#include <algorithm>
-
 #include "reference/definitions/convolution.hpp"
 #include "reference/definitions/cut_at_intersections.hpp"
 #include "reference/definitions/exact_box.hpp"

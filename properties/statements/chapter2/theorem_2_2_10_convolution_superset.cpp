@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "properties/runner/each_engine.hpp"
-#include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
 #include "properties/statements/chapter2/boundary_coverage.hpp"
 #include "properties/statements/placements/covered_sum.hpp"
@@ -30,15 +29,12 @@ Outcome law(const Sum& sum, const Summands& summands) {
   return unless_broken(bare(sum(p, q), convolution(p, q), {}));
 }
 
-const Registered registered({
-    .id = "theorem-2.2.10",
-    .sources = small_mixture(),
-    .promises = promises_of_mixture(),
-    .kills = {"parallel-edges-do-not-collide", "tangent-set-without-ties"},
-    .cases = 200,
-    .check = check,
-    .of_engine = for_one_engine(law),
-});
+const Registered registered(small_mixture(),
+                            {.id = "theorem-2.2.10",
+                             .kills = {"parallel-edges-do-not-collide", "tangent-set-without-ties"},
+                             .cases = 200,
+                             .check = check,
+                             .of_engine = for_one_engine(law)});
 
 }  // namespace
 

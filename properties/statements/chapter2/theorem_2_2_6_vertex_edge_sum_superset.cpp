@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
 #include "properties/statements/chapter2/paths_across.hpp"
 #include "properties/statements/placements/open_sum.hpp"
@@ -31,14 +30,10 @@ Outcome check(const Summands& summands) {
   return outcome;
 }
 
-const Registered registered({
-    .id = "theorem-2.2.6",
-    .sources = small_mixture(),
-    .promises = promises_of_mixture(),
-    .kills = {"vertices-of-p-are-left-out"},
-    .cases = 80,
-    .check = check,
-});
+const Registered registered(small_mixture(), {.id = "theorem-2.2.6",
+                                              .kills = {"vertices-of-p-are-left-out"},
+                                              .cases = 80,
+                                              .check = check});
 
 }  // namespace
 

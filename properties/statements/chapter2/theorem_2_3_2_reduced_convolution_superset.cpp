@@ -3,7 +3,6 @@
 #include <set>
 
 #include "properties/runner/each_engine.hpp"
-#include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
 #include "properties/statements/chapter2/boundary_coverage.hpp"
 #include "properties/statements/placements/covered_sum.hpp"
@@ -72,15 +71,12 @@ Outcome law(const Sum& sum, const Summands& summands) {
       bare(sum(p, q), reduced_convolution(p, q), sums_of_touching_points(summands)));
 }
 
-const Registered registered({
-    .id = "theorem-2.3.2",
-    .sources = small_mixture(),
-    .promises = promises_of_mixture(),
-    .kills = {"acute-vertex-is-reflex", "tangent-set-without-ties"},
-    .cases = 80,
-    .check = check,
-    .of_engine = for_one_engine(law),
-});
+const Registered registered(small_mixture(),
+                            {.id = "theorem-2.3.2",
+                             .kills = {"acute-vertex-is-reflex", "tangent-set-without-ties"},
+                             .cases = 80,
+                             .check = check,
+                             .of_engine = for_one_engine(law)});
 
 }  // namespace
 

@@ -2,7 +2,6 @@
 #include <map>
 
 #include "checked/arrangement/rca.hpp"
-#include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
 #include "reference/definitions/cut_at_intersections.hpp"
 #include "reference/io/writing.hpp"
@@ -70,14 +69,10 @@ Outcome check(const Summands& summands) {
   return outcome;
 }
 
-const Registered registered({
-    .id = "corollary-3.1.3",
-    .sources = larger_mixture(),
-    .promises = promises_of_mixture(),
-    .kills = {"chains-turn-counterclockwise-most"},
-    .cases = 500,
-    .check = check,
-});
+const Registered registered(larger_mixture(), {.id = "corollary-3.1.3",
+                                               .kills = {"chains-turn-counterclockwise-most"},
+                                               .cases = 500,
+                                               .check = check});
 
 }  // namespace
 

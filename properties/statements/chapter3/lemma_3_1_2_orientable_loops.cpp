@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "checked/arrangement/sum_by_loops.hpp"
-#include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
 #include "properties/statements/placements/covered_sum.hpp"
 #include "reference/definitions/difference.hpp"
@@ -39,14 +38,10 @@ Outcome check(const Summands& summands) {
   return outcome;
 }
 
-const Registered registered({
-    .id = "lemma-3.1.2",
-    .sources = small_mixture(),
-    .promises = promises_of_mixture(),
-    .kills = {"loops-turn-counterclockwise-most"},
-    .cases = 80,
-    .check = check,
-});
+const Registered registered(small_mixture(), {.id = "lemma-3.1.2",
+                                              .kills = {"loops-turn-counterclockwise-most"},
+                                              .cases = 80,
+                                              .check = check});
 
 }  // namespace
 

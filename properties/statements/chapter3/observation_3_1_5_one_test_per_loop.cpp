@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "checked/arrangement/hole_test.hpp"
 #include "checked/arrangement/orientable_loops.hpp"
-#include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
 #include "properties/statements/placements/open_sum.hpp"
 #include "reference/io/writing.hpp"
@@ -36,14 +35,10 @@ Outcome check(const Summands& summands) {
   return outcome;
 }
 
-const Registered registered({
-    .id = "observation-3.1.5",
-    .sources = small_mixture(),
-    .promises = promises_of_mixture(),
-    .kills = {"rays-start-left-of-their-edge"},
-    .cases = 300,
-    .check = check,
-});
+const Registered registered(small_mixture(), {.id = "observation-3.1.5",
+                                              .kills = {"rays-start-left-of-their-edge"},
+                                              .cases = 300,
+                                              .check = check});
 
 }  // namespace
 

@@ -2,7 +2,6 @@
 #include <set>
 
 #include "checked/arrangement/orientable_loops.hpp"
-#include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
 #include "properties/statements/placements/open_sum.hpp"
 #include "reference/io/writing.hpp"
@@ -45,14 +44,10 @@ Outcome check(const Summands& summands) {
   return outcome;
 }
 
-const Registered registered({
-    .id = "observation-3.2.4",
-    .sources = small_mixture(),
-    .promises = promises_of_mixture(),
-    .kills = {"loops-turn-counterclockwise-most"},
-    .cases = 400,
-    .check = check,
-});
+const Registered registered(small_mixture(), {.id = "observation-3.2.4",
+                                              .kills = {"loops-turn-counterclockwise-most"},
+                                              .cases = 400,
+                                              .check = check});
 
 }  // namespace
 

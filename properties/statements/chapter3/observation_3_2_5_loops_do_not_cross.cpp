@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "checked/arrangement/orientable_loops.hpp"
-#include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
 #include "reference/io/writing.hpp"
 
@@ -63,14 +62,10 @@ Outcome check(const Summands& summands) {
   return outcome;
 }
 
-const Registered registered({
-    .id = "observation-3.2.5",
-    .sources = larger_mixture(),
-    .promises = promises_of_mixture(),
-    .kills = {"loops-go-straight-on"},
-    .cases = 600,
-    .check = check,
-});
+const Registered registered(larger_mixture(), {.id = "observation-3.2.5",
+                                               .kills = {"loops-go-straight-on"},
+                                               .cases = 600,
+                                               .check = check});
 
 }  // namespace
 

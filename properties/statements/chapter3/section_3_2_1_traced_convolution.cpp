@@ -2,7 +2,6 @@
 #include <algorithm>
 
 #include "checked/cycles/convolution_cycles.hpp"
-#include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
 
 namespace oplus {
@@ -53,16 +52,15 @@ Outcome check(const Summands& summands) {
   return outcome;
 }
 
-const Registered registered({
-    .id = "section-3.2.1",
-    .sources = larger_mixture(),
-    .promises = promises_of_mixture(),
-    .kills = {"filtered-ties-the-other-way", "no-start-in-the-first-column",
-              "reflex-where-angles-decrease", "tie-rule-depends-on-who-asks",
-              "tangent-set-without-ties", "reflex-turns-clockwise"},
-    .cases = 1500,
-    .check = check,
-});
+const Registered registered(
+    larger_mixture(), {
+                          .id = "section-3.2.1",
+                          .kills = {"filtered-ties-the-other-way", "no-start-in-the-first-column",
+                                    "reflex-where-angles-decrease", "tie-rule-depends-on-who-asks",
+                                    "tangent-set-without-ties", "reflex-turns-clockwise"},
+                          .cases = 1500,
+                          .check = check,
+                      });
 
 }  // namespace
 

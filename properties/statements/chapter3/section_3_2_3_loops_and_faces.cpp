@@ -4,7 +4,6 @@
 #include "checked/arrangement/rca.hpp"
 #include "checked/arrangement/sum_by_loops.hpp"
 #include "checked/cycles/convolution_cycles.hpp"
-#include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
 #include "reference/definitions/difference.hpp"
 
@@ -60,11 +59,7 @@ const Registered registered({
                 {"comb", 4, 1},
                 {"star", 16, 1},
                 {"simple", 12, 1}},
-    .promises = {{"holes", 15},
-                 {"several components", 5},
-                 {"reflex vertices", 10},
-                 {"parallel edges", 40},
-                 {"overlapping segments", 5}},
+    .promises = usual_promises(),
     .kills = {"candidates-need-no-hole-test", "islands-are-not-nested",
               "loops-turn-counterclockwise-most"},
     .cases = 600,

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "checked/cycles/convolution_cycles.hpp"
-#include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
 #include "properties/statements/chapter4/state.hpp"
 
@@ -82,14 +81,10 @@ Outcome check(const Summands& summands) {
   return outcome;
 }
 
-const Registered registered({
-    .id = "corollary-4.1.9",
-    .sources = larger_mixture(),
-    .promises = promises_of_mixture(),
-    .kills = {"cycle-ends-in-its-column"},
-    .cases = 1500,
-    .check = check,
-});
+const Registered registered(larger_mixture(), {.id = "corollary-4.1.9",
+                                               .kills = {"cycle-ends-in-its-column"},
+                                               .cases = 1500,
+                                               .check = check});
 
 }  // namespace
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "properties/statements/chapter4/euler_characteristic.hpp"
 
-#include <algorithm>
-
 #include "checked/operations/image.hpp"
 #include "properties/statements/chapter4/points_in_faces.hpp"
 #include "reference/io/counted.hpp"
@@ -45,9 +43,11 @@ Outcome at_generic_placements(const Summands& summands,
   return outcome;
 }
 
-std::vector<Source> pairs_with_holes() {
-  return {{"grid", 8, 4},       {"tight", 3, 6},  {"holes", 4, 2},
-          {"components", 3, 2}, {"simple", 7, 1}, {"star", 7, 1}};
+Mixture pairs_with_holes() {
+  Mixture mixture = small_mixture();
+  mixture.sources = {{"grid", 8, 4},       {"tight", 3, 6},  {"holes", 4, 2},
+                     {"components", 3, 2}, {"simple", 7, 1}, {"star", 7, 1}};
+  return mixture;
 }
 
 IntersectionCounter::IntersectionCounter(const Summands& summands)

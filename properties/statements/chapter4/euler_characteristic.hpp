@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "properties/runner/statement.hpp"
+#include "properties/runner/mixture.hpp"
 #include "properties/statements/chapter4/touching_exteriors.hpp"
 #include "reference/definitions/intersection_components.hpp"
 #include "reference/families/family.hpp"
@@ -53,6 +53,6 @@ Outcome at_generic_placements(const Summands& summands,
                               const std::function<AtPlacement(const Summands& pair)>& of_pair);
 
 /// Pairs for statements about these intersections: many have holes that touch nothing.
-std::vector<Source> pairs_with_holes();
+Mixture pairs_with_holes();
 
 }  // namespace oplus

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <map>
 
-#include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
 #include "reference/definitions/convolution.hpp"
 #include "reference/definitions/tangent_set.hpp"
@@ -53,14 +52,12 @@ Outcome check(const Summands& summands) {
   return outcome;
 }
 
-const Registered registered({
-    .id = "fact-convolution-size",
-    .sources = larger_mixture(),
-    .promises = promises_of_mixture(),
-    .kills = {"acute-vertex-is-reflex", "reflex-turns-clockwise", "tangent-set-without-ties"},
-    .cases = 1500,
-    .check = check,
-});
+const Registered registered(larger_mixture(),
+                            {.id = "fact-convolution-size",
+                             .kills = {"acute-vertex-is-reflex", "reflex-turns-clockwise",
+                                       "tangent-set-without-ties"},
+                             .cases = 1500,
+                             .check = check});
 
 }  // namespace
 

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
 #include "properties/statements/chapter4/points_in_faces.hpp"
 #include "reference/definitions/convolution.hpp"
@@ -74,15 +73,15 @@ Outcome check(const Summands& summands) {
   return outcome;
 }
 
-const Registered registered({
-    .id = "fact-tangent-count",
-    .sources = small_mixture(),
-    .promises = promises_of_mixture(),
-    .kills = {"crossings-count-with-a-sign", "tie-rule-depends-on-who-asks",
-              "tangent-set-without-ties", "reflex-turns-clockwise", "ray-counts-both-ends"},
-    .cases = 100,
-    .check = check,
-});
+const Registered registered(
+    small_mixture(),
+    {
+        .id = "fact-tangent-count",
+        .kills = {"crossings-count-with-a-sign", "tie-rule-depends-on-who-asks",
+                  "tangent-set-without-ties", "reflex-turns-clockwise", "ray-counts-both-ends"},
+        .cases = 100,
+        .check = check,
+    });
 
 }  // namespace
 

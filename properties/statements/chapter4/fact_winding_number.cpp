@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
 #include "properties/statements/chapter4/euler_characteristic.hpp"
 #include "reference/definitions/original_convolution.hpp"
@@ -37,15 +36,13 @@ Outcome check(const Summands& summands) {
   });
 }
 
-const Registered registered({
-    .id = "fact-winding-number",
-    .sources = pairs_with_holes(),
-    .promises = promises_of_mixture(),
-    .kills = {"holes-of-an-intersection-are-not-seen", "reflex-turns-clockwise",
-              "acute-vertex-is-reflex", "tangent-set-without-ties"},
-    .cases = 150,
-    .check = check,
-});
+const Registered registered(pairs_with_holes(),
+                            {.id = "fact-winding-number",
+                             .kills = {"holes-of-an-intersection-are-not-seen",
+                                       "reflex-turns-clockwise", "acute-vertex-is-reflex",
+                                       "tangent-set-without-ties"},
+                             .cases = 150,
+                             .check = check});
 
 }  // namespace
 

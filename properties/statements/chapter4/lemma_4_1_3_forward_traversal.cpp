@@ -2,7 +2,6 @@
 #include <map>
 
 #include "checked/cycles/convolution_cycles.hpp"
-#include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
 #include "properties/statements/chapter4/state.hpp"
 #include "properties/statements/directions_around.hpp"
@@ -80,15 +79,13 @@ Outcome check(const Summands& summands) {
   return outcome;
 }
 
-const Registered registered({
-    .id = "lemma-4.1.3",
-    .sources = larger_mixture(),
-    .promises = promises_of_mixture(),
-    .kills = {"tangent-set-without-ties", "tie-rule-depends-on-who-asks", "reflex-turns-clockwise"},
-    .cases = 1000,
-    .check = check,
-    .enumerate = enumerate,
-});
+const Registered registered(larger_mixture(),
+                            {.id = "lemma-4.1.3",
+                             .kills = {"tangent-set-without-ties", "tie-rule-depends-on-who-asks",
+                                       "reflex-turns-clockwise"},
+                             .cases = 1000,
+                             .check = check,
+                             .enumerate = enumerate});
 
 }  // namespace
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <boost/range/iterator_range.hpp>
 
-#include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
 #include "properties/statements/chapter4/convolution_graph.hpp"
 
@@ -36,14 +35,12 @@ Outcome check(const Summands& summands) {
   return outcome;
 }
 
-const Registered registered({
-    .id = "lemma-4.1.4",
-    .sources = larger_mixture(),
-    .promises = promises_of_mixture(),
-    .kills = {"tangent-set-without-ties", "tie-rule-depends-on-who-asks", "reflex-turns-clockwise"},
-    .cases = 1500,
-    .check = check,
-});
+const Registered registered(larger_mixture(),
+                            {.id = "lemma-4.1.4",
+                             .kills = {"tangent-set-without-ties", "tie-rule-depends-on-who-asks",
+                                       "reflex-turns-clockwise"},
+                             .cases = 1500,
+                             .check = check});
 
 }  // namespace
 

@@ -5,7 +5,6 @@
 #include <iterator>
 #include <set>
 
-#include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
 #include "properties/statements/chapter4/convolution_graph.hpp"
 
@@ -160,14 +159,12 @@ Outcome check(const Summands& summands) {
   return outcome;
 }
 
-const Registered registered({
-    .id = "lemma-4.1.5",
-    .sources = larger_mixture(),
-    .promises = promises_of_mixture(),
-    .kills = {"tangent-set-without-ties", "tie-rule-depends-on-who-asks", "reflex-turns-clockwise"},
-    .cases = 1000,
-    .check = check,
-});
+const Registered registered(larger_mixture(),
+                            {.id = "lemma-4.1.5",
+                             .kills = {"tangent-set-without-ties", "tie-rule-depends-on-who-asks",
+                                       "reflex-turns-clockwise"},
+                             .cases = 1000,
+                             .check = check});
 
 }  // namespace
 

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <map>
 
-#include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
-#include "properties/statements/chapter4/state.hpp"
 #include "properties/statements/directions_around.hpp"
 #include "reference/definitions/tangent_set.hpp"
 #include "reference/io/writing.hpp"
@@ -86,16 +84,14 @@ Outcome check(const Summands& summands) {
   return outcome;
 }
 
-const Registered registered({
-    .id = "lemma-4.1.8",
-    .sources = larger_mixture(),
-    .promises = promises_of_mixture(),
-    .kills = {"acute-vertex-is-reflex", "angles-grow-clockwise", "between-is-on-the-other-arc",
-              "reflex-turns-clockwise", "tangent-set-without-ties", "ties-go-the-other-way"},
-    .cases = 1000,
-    .check = check,
-    .enumerate = enumerate,
-});
+const Registered registered(larger_mixture(),
+                            {.id = "lemma-4.1.8",
+                             .kills = {"acute-vertex-is-reflex", "angles-grow-clockwise",
+                                       "between-is-on-the-other-arc", "reflex-turns-clockwise",
+                                       "tangent-set-without-ties", "ties-go-the-other-way"},
+                             .cases = 1000,
+                             .check = check,
+                             .enumerate = enumerate});
 
 }  // namespace
 

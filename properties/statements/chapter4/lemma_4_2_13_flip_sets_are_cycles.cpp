@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <map>
 
-#include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
 #include "reference/definitions/original_convolution.hpp"
 #include "reference/io/writing.hpp"
@@ -40,15 +39,12 @@ Outcome check(const Summands& summands) {
   return outcome;
 }
 
-const Registered registered({
-    .id = "lemma-4.2.13",
-    .sources = larger_mixture(),
-    .promises = promises_of_mixture(),
-    .kills = {"flip-set-keeps-its-direction", "tangent-set-without-ties",
-              "tie-rule-depends-on-who-asks"},
-    .cases = 1500,
-    .check = check,
-});
+const Registered registered(larger_mixture(),
+                            {.id = "lemma-4.2.13",
+                             .kills = {"flip-set-keeps-its-direction", "tangent-set-without-ties",
+                                       "tie-rule-depends-on-who-asks"},
+                             .cases = 1500,
+                             .check = check});
 
 }  // namespace
 

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
 #include "properties/statements/chapter4/points_in_faces.hpp"
 #include "reference/definitions/original_convolution.hpp"
@@ -41,14 +40,11 @@ Outcome check(const Summands& summands) {
   return outcome;
 }
 
-const Registered registered({
-    .id = "lemma-4.2.15",
-    .sources = small_mixture(),
-    .promises = promises_of_mixture(),
-    .kills = {"flip-set-keeps-its-direction", "ray-counts-both-ends"},
-    .cases = 500,
-    .check = check,
-});
+const Registered registered(small_mixture(),
+                            {.id = "lemma-4.2.15",
+                             .kills = {"flip-set-keeps-its-direction", "ray-counts-both-ends"},
+                             .cases = 500,
+                             .check = check});
 
 }  // namespace
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 
-#include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
 #include "properties/statements/chapter4/points_in_faces.hpp"
 #include "reference/definitions/convolution.hpp"
@@ -59,15 +58,12 @@ Outcome check(const Summands& summands) {
   return outcome;
 }
 
-const Registered registered({
-    .id = "observation-4.2.5",
-    .sources = small_mixture(),
-    .promises = promises_of_mixture(),
-    .kills = {"ray-counts-both-ends", "steps-are-not-shifted", "tangent-set-without-ties",
-              "reflex-turns-clockwise"},
-    .cases = 150,
-    .check = check,
-});
+const Registered registered(small_mixture(),
+                            {.id = "observation-4.2.5",
+                             .kills = {"ray-counts-both-ends", "steps-are-not-shifted",
+                                       "tangent-set-without-ties", "reflex-turns-clockwise"},
+                             .cases = 150,
+                             .check = check});
 
 }  // namespace
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 
-#include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
 #include "reference/definitions/convolution.hpp"
 #include "reference/io/writing.hpp"
@@ -75,14 +74,10 @@ Outcome check(const Summands& summands) {
   return outcome;
 }
 
-const Registered registered({
-    .id = "observation-4.2.8",
-    .sources = small_mixture(),
-    .promises = promises_of_mixture(),
-    .kills = {"sums-name-the-vertex-before"},
-    .cases = 100,
-    .check = check,
-});
+const Registered registered(small_mixture(), {.id = "observation-4.2.8",
+                                              .kills = {"sums-name-the-vertex-before"},
+                                              .cases = 100,
+                                              .check = check});
 
 }  // namespace
 

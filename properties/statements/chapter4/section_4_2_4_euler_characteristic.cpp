@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
 #include "properties/statements/chapter4/euler_characteristic.hpp"
 #include "reference/definitions/original_convolution.hpp"
@@ -23,15 +22,15 @@ Outcome check(const Summands& summands) {
   });
 }
 
-const Registered registered({
-    .id = "section-4.2.4",
-    .sources = pairs_with_holes(),
-    .promises = promises_of_mixture(),
-    .kills = {"flip-set-keeps-its-direction", "reflex-vertices-of-q-are-not-replaced",
-              "holes-of-an-intersection-are-not-seen", "reflex-turns-clockwise"},
-    .cases = 60,
-    .check = check,
-});
+const Registered registered(
+    pairs_with_holes(),
+    {
+        .id = "section-4.2.4",
+        .kills = {"flip-set-keeps-its-direction", "reflex-vertices-of-q-are-not-replaced",
+                  "holes-of-an-intersection-are-not-seen", "reflex-turns-clockwise"},
+        .cases = 60,
+        .check = check,
+    });
 
 }  // namespace
 

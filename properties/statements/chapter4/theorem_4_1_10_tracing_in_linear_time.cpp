@@ -2,7 +2,6 @@
 #include <set>
 
 #include "checked/cycles/convolution_cycles.hpp"
-#include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
 #include "properties/statements/chapter4/state.hpp"
 
@@ -44,14 +43,11 @@ Outcome check(const Summands& summands) {
   return outcome;
 }
 
-const Registered registered({
-    .id = "theorem-4.1.10",
-    .sources = larger_mixture(),
-    .promises = promises_of_mixture(),
-    .kills = {"cycle-ends-in-its-column", "every-state-is-a-start"},
-    .cases = 1500,
-    .check = check,
-});
+const Registered registered(larger_mixture(),
+                            {.id = "theorem-4.1.10",
+                             .kills = {"cycle-ends-in-its-column", "every-state-is-a-start"},
+                             .cases = 1500,
+                             .check = check});
 
 }  // namespace
 

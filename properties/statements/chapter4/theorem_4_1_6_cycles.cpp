@@ -2,7 +2,6 @@
 #include <set>
 
 #include "checked/cycles/convolution_cycles.hpp"
-#include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
 #include "properties/statements/chapter4/state.hpp"
 
@@ -44,15 +43,12 @@ Outcome check(const Summands& summands) {
   return outcome;
 }
 
-const Registered registered({
-    .id = "theorem-4.1.6",
-    .sources = larger_mixture(),
-    .promises = promises_of_mixture(),
-    .kills = {"cycle-ends-in-its-column", "edge-of-p-though-visited",
-              "no-start-in-the-first-column"},
-    .cases = 1500,
-    .check = check,
-});
+const Registered registered(larger_mixture(),
+                            {.id = "theorem-4.1.6",
+                             .kills = {"cycle-ends-in-its-column", "edge-of-p-though-visited",
+                                       "no-start-in-the-first-column"},
+                             .cases = 1500,
+                             .check = check});
 
 }  // namespace
 

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "properties/runner/each_engine.hpp"
-#include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
 #include "properties/statements/placements/open_sum.hpp"
 #include "properties/statements/placements/points_beside.hpp"
@@ -108,16 +107,16 @@ Outcome law(const Sum& sum, const Summands& summands) {
   return outcome;
 }
 
-const Registered registered({
-    .id = "theorem-4.2.1",
-    .sources = small_mixture(),
-    .promises = promises_of_mixture(),
-    .kills = {"ray-counts-both-ends", "reflex-turns-clockwise", "tangent-set-without-ties",
-              "tie-rule-depends-on-who-asks"},
-    .cases = 100,
-    .check = [](const Summands& summands) { return Comparison(summands).run(); },
-    .of_engine = for_one_engine(law),
-});
+const Registered registered(
+    small_mixture(),
+    {
+        .id = "theorem-4.2.1",
+        .kills = {"ray-counts-both-ends", "reflex-turns-clockwise", "tangent-set-without-ties",
+                  "tie-rule-depends-on-who-asks"},
+        .cases = 100,
+        .check = [](const Summands& summands) { return Comparison(summands).run(); },
+        .of_engine = for_one_engine(law),
+    });
 
 }  // namespace
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "properties/statements/chapter4/touching_exteriors.hpp"
 
-#include <algorithm>
 #include <optional>
 
 #include "reference/chains/touching_points.hpp"

@@ -3,7 +3,6 @@
 
 #include "checked/arrangement/ray_shooting.hpp"
 #include "checked/cycles/convolution_cycles.hpp"
-#include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
 #include "reference/definitions/collision.hpp"
 #include "reference/definitions/cut_at_intersections.hpp"
@@ -92,14 +91,11 @@ Outcome check(const Summands& summands) {
   return outcome;
 }
 
-const Registered registered({
-    .id = "observation-5.2.1",
-    .sources = small_mixture(),
-    .promises = promises_of_mixture(),
-    .kills = {"rays-start-left-of-their-edge", "rays-shift-down"},
-    .cases = 100,
-    .check = check,
-});
+const Registered registered(small_mixture(),
+                            {.id = "observation-5.2.1",
+                             .kills = {"rays-start-left-of-their-edge", "rays-shift-down"},
+                             .cases = 100,
+                             .check = check});
 
 }  // namespace
 

@@ -2,10 +2,7 @@
 #include "checked/arrangement/ray_shooting.hpp"
 #include "checked/arrangement/winding_numbers.hpp"
 #include "checked/cycles/convolution_cycles.hpp"
-#include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
-#include "reference/definitions/collision.hpp"
-#include "reference/definitions/winding_number.hpp"
 #include "reference/io/writing.hpp"
 
 namespace oplus {
@@ -35,15 +32,12 @@ Outcome check(const Summands& summands) {
   return outcome;
 }
 
-const Registered registered({
-    .id = "section-5.2",
-    .sources = larger_mixture(),
-    .promises = promises_of_mixture(),
-    .kills = {"overlapping-segments-count-once", "rays-shift-down",
-              "rays-start-left-of-their-edge"},
-    .cases = 600,
-    .check = check,
-});
+const Registered registered(larger_mixture(),
+                            {.id = "section-5.2",
+                             .kills = {"overlapping-segments-count-once", "rays-shift-down",
+                                       "rays-start-left-of-their-edge"},
+                             .cases = 600,
+                             .check = check});
 
 }  // namespace
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <optional>
 #include <string>
 
 #include "checked/certificates/certificate.hpp"
 #include "checked/operations/operations.hpp"
-#include "checked/slide/slide.hpp"
+#include "checked/slide/by_slide.hpp"
 #include "properties/compare/certified_engine.hpp"
 #include "properties/runner/registry.hpp"
 #include "reference/chains/region_of.hpp"
@@ -104,40 +103,28 @@ Outcome check(const Summands& summands) {
   const auto& [p, q] = summands;
   if (!can_certify()) return claims.outcome.fail("oplus-certified was not built");
   const auto sums = oracle_sums(p, q);
-  const SumOf slide = [](const Region& a, const Region& b, Boundary boundary) {
-    return slide_sum(a, b, boundary).sum;
-  };
   const Claimed all[] = {
       {"sum", sums.closed,
        [&](const ClaimedSum& s) { return certificates::certificate(p, q, s.region); }},
       {"open-sum", sums.open,
        [&](const ClaimedSum& s) { return certificates::open_certificate(p, q, s); }},
-      {"nfp", no_fit(p, q, slide),
+      {"nfp", no_fit(p, q, by_slide),
        [&](const ClaimedSum& s) { return certificates::no_fit_certificate(p, q, s); }},
-      {"ifp", inner_fit(p, q, slide),
-       [&](const ClaimedSum& s) { return certificates::inner_fit_certificate(p, q, s, slide); }}};
+      {"ifp", inner_fit(p, q, by_slide), [&](const ClaimedSum& s) {
+         return certificates::inner_fit_certificate(p, q, s, by_slide);
+       }}};
   for (const Claimed& claimed : all)
     if (!claims.are_right(claimed)) break;
   return claims.outcome;
 }
 
-const Registered registered({
-    .id = "fact-certificate",
-    .sources = {{"tight", 4, 6},
-                {"grid", 8, 3},
-                {"holes", 4, 2},
-                {"components", 3, 1},
-                {"islands", 1, 1},
-                {"diamond-u", 1, 1}},
-    .promises = {{"holes", 10},
-                 {"reflex vertices", 10},
-                 {"parallel edges", 40},
-                 {"overlapping segments", 5}},
-    .kills = {"cells-stick-out-of-sums", "cuts-swap-their-sides", "seams-run-along-sides",
-              "seams-change-sums-too-early", "inner-fits-have-another-frame"},
-    .cases = 100,
-    .check = check,
-});
+const Registered registered(tight_mixture(),
+                            {.id = "fact-certificate",
+                             .kills = {"cells-stick-out-of-sums", "cuts-swap-their-sides",
+                                       "seams-run-along-sides", "seams-change-sums-too-early",
+                                       "inner-fits-have-another-frame"},
+                             .cases = 100,
+                             .check = check});
 
 }  // namespace
 

@@ -62,8 +62,6 @@ Enumeration discs() {
 
 const Registered registered({
     .id = "law-disc",
-    .sources = {},
-    .promises = {},
     .kills = {"disc-ends-one-step-further", "disc-edges-are-not-tested"},
     .enumerate = discs,
 });

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "checked/operations/operations.hpp"
+#include "checked/slide/by_slide.hpp"
 #include "properties/runner/each_engine.hpp"
 #include "properties/runner/fitting_pairs.hpp"
 #include "properties/runner/registry.hpp"
-#include "properties/statements/operations/by_slide.hpp"
 #include "reference/oracle/operations_by_definition.hpp"
 
 namespace oplus {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "checked/operations/operations.hpp"
 #include "checked/operations/unbounded_sum.hpp"
+#include "checked/slide/by_slide.hpp"
 #include "properties/runner/fitting_pairs.hpp"
 #include "properties/runner/registry.hpp"
-#include "properties/statements/operations/by_slide.hpp"
 #include "reference/chains/region_of.hpp"
 #include "reference/definitions/planar_set.hpp"
 #include "reference/definitions/region.hpp"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "checked/distance/distance.hpp"
 #include "checked/operations/operations.hpp"
+#include "checked/slide/by_slide.hpp"
 #include "properties/runner/fitting_pairs.hpp"
 #include "properties/runner/registry.hpp"
-#include "properties/statements/operations/by_slide.hpp"
 #include "properties/statements/operations/places_of_q.hpp"
 #include "reference/definitions/collision.hpp"
 #include "reference/definitions/cut_at_intersections.hpp"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "checked/distance/distance.hpp"
 #include "checked/operations/unbounded_sum.hpp"
+#include "checked/slide/by_slide.hpp"
 #include "properties/runner/fitting_pairs.hpp"
 #include "properties/runner/registry.hpp"
-#include "properties/statements/operations/by_slide.hpp"
 #include "properties/statements/operations/places_of_q.hpp"
 #include "reference/definitions/difference.hpp"
 #include "reference/definitions/squared_distance.hpp"

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
 #include "properties/statements/slide/slid_pair.hpp"
 
@@ -47,14 +46,10 @@ Outcome check(const Summands& summands) {
   return outcome;
 }
 
-const Registered registered({
-    .id = "step-ends",
-    .sources = small_mixture(),
-    .promises = promises_of_mixture(),
-    .kills = {"slide-pieces-stay-uncut"},
-    .cases = 800,
-    .check = check,
-});
+const Registered registered(small_mixture(), {.id = "step-ends",
+                                              .kills = {"slide-pieces-stay-uncut"},
+                                              .cases = 800,
+                                              .check = check});
 
 }  // namespace
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "checked/slide/blocked_interval.hpp"
 #include "checked/slide/contact_interval.hpp"
-#include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
 #include "properties/statements/slide/slid_pair.hpp"
 #include "reference/io/writing.hpp"
@@ -50,14 +49,10 @@ Outcome check(const Summands& summands) {
   return outcome;
 }
 
-const Registered registered({
-    .id = "step-interval",
-    .sources = small_mixture(),
-    .promises = promises_of_mixture(),
-    .kills = {"slide-shifts-to-the-left"},
-    .cases = 500,
-    .check = check,
-});
+const Registered registered(small_mixture(), {.id = "step-interval",
+                                              .kills = {"slide-shifts-to-the-left"},
+                                              .cases = 500,
+                                              .check = check});
 
 }  // namespace
 

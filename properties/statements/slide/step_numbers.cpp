@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "checked/arrangement/rca.hpp"
 #include "checked/slide/slide.hpp"
-#include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
 #include "reference/chains/validity.hpp"
 
@@ -57,14 +56,10 @@ Outcome check(const Summands& summands) {
   return outcome;
 }
 
-const Registered registered({
-    .id = "step-numbers",
-    .sources = small_mixture(),
-    .promises = promises_of_mixture(),
-    .kills = {"slide-believes-doubles"},
-    .cases = 300,
-    .check = check,
-});
+const Registered registered(small_mixture(), {.id = "step-numbers",
+                                              .kills = {"slide-believes-doubles"},
+                                              .cases = 300,
+                                              .check = check});
 
 }  // namespace
 

@@ -2,7 +2,6 @@
 #include <vector>
 
 #include "checked/slide/slide.hpp"
-#include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
 
 namespace oplus {
@@ -33,14 +32,10 @@ Outcome check(const Summands& summands) {
   return outcome;
 }
 
-const Registered registered({
-    .id = "step-prepared",
-    .sources = small_mixture(),
-    .promises = promises_of_mixture(),
-    .kills = {"slide-keeps-any-denominator"},
-    .cases = 60,
-    .check = check,
-});
+const Registered registered(small_mixture(), {.id = "step-prepared",
+                                              .kills = {"slide-keeps-any-denominator"},
+                                              .cases = 60,
+                                              .check = check});
 
 }  // namespace
 

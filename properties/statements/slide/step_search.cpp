@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
 #include "properties/statements/slide/slid_pair.hpp"
 
@@ -63,15 +62,12 @@ Outcome check(const Summands& summands) {
   return outcome;
 }
 
-const Registered registered({
-    .id = "step-search",
-    .sources = small_mixture(),
-    .promises = promises_of_mixture(),
-    .kills = {"slide-covers-with-closed-summands", "slide-leaves-boxes-out",
-              "slide-passes-sides-by"},
-    .cases = 1000,
-    .check = check,
-});
+const Registered registered(small_mixture(),
+                            {.id = "step-search",
+                             .kills = {"slide-covers-with-closed-summands",
+                                       "slide-leaves-boxes-out", "slide-passes-sides-by"},
+                             .cases = 1000,
+                             .check = check});
 
 }  // namespace
 

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
 #include "properties/statements/slide/slid_pair.hpp"
 #include "reference/io/counted.hpp"
@@ -25,14 +24,10 @@ Outcome check(const Summands& summands) {
   return outcome;
 }
 
-const Registered registered({
-    .id = "step-segments",
-    .sources = small_mixture(),
-    .promises = promises_of_mixture(),
-    .kills = {"slide-ranks-without-ties"},
-    .cases = 600,
-    .check = check,
-});
+const Registered registered(small_mixture(), {.id = "step-segments",
+                                              .kills = {"slide-ranks-without-ties"},
+                                              .cases = 600,
+                                              .check = check});
 
 }  // namespace
 

@@ -6,7 +6,6 @@
 #include <limits>
 #include <random>
 #include <utility>
-#include <vector>
 
 #include "checked/oplus/oplus.hpp"
 

@@ -9,7 +9,6 @@
 #include "reference/chains/validity.hpp"
 #include "reference/families/rich_regions.hpp"
 #include "reference/io/writing.hpp"
-#include "tests/reference/io/from_text.hpp"
 
 namespace oplus {
 namespace {

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <fstream>
 
 #include "properties/compare/conformance_sources.hpp"
 #include "properties/compare/grid_polygons.hpp"

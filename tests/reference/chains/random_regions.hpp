@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <set>
 #include <utility>
-#include <vector>
 
 #include "reference/definitions/region.hpp"
 #include "reference/families/cells.hpp"

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "reference/chains/region_of.hpp"
-#include "tests/reference/io/from_text.hpp"
 
 namespace oplus {
 namespace {
