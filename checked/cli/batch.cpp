@@ -18,7 +18,6 @@
 #include "checked/cli/command_line/terminal.hpp"
 #include "checked/cli/input.hpp"
 #include "checked/cli/shared_options.hpp"
-#include "checked/cli/spacing.hpp"
 #include "checked/cli/usage_error.hpp"
 #include "reference/io/counted.hpp"
 

@@ -3,9 +3,9 @@
 #include <utility>
 
 #include "reference/chains/validity.hpp"
-#include "reference/families/cells.hpp"
 #include "reference/families/lattice_polygon.hpp"
 #include "reference/families/pairs.hpp"
+#include "reference/families/rich_regions.hpp"
 
 namespace oplus {
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "checked/cli/input.hpp"
-#include "checked/cli/spacing.hpp"
+#include "checked/cli/shared_options.hpp"
 #include "checked/cli/usage_error.hpp"
 #include "checked/operations/complement.hpp"
 #include "checked/rounding/rounding.hpp"

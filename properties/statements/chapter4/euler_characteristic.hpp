@@ -6,11 +6,22 @@
 #include <vector>
 
 #include "properties/runner/mixture.hpp"
-#include "properties/statements/chapter4/touching_exteriors.hpp"
 #include "reference/definitions/intersection_components.hpp"
+#include "reference/definitions/region.hpp"
 #include "reference/families/family.hpp"
 
 namespace oplus {
+
+/// A point in which chains of a region touch.
+struct TouchingExteriors {
+  Point at;
+  int exteriors;  ///< at least 1
+};
+
+/// Returns the points in which chains of a valid region touch, and into how many parts the exterior
+/// around each is divided: two where a hole touches its outer chain, one where two components
+/// touch.
+std::vector<TouchingExteriors> touching_exteriors(const Region& region);
 
 /// The intersection of P and -Q+x, as Section 4.2.4 has to count it.
 struct CountedIntersection {

@@ -6,7 +6,7 @@
 #include "checked/sweep/sweep_collision.hpp"
 #include "properties/runner/registry.hpp"
 #include "properties/statements/chapter5/boundary_contact.hpp"
-#include "properties/statements/placements/points_beside.hpp"
+#include "properties/statements/placements/overlay.hpp"
 #include "reference/definitions/collision.hpp"
 #include "reference/definitions/convolution.hpp"
 #include "reference/definitions/cut_at_intersections.hpp"

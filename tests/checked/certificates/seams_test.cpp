@@ -15,10 +15,6 @@
 namespace oplus::certificates {
 namespace {
 
-ClaimedSum as_given(const PlanarSet& set) {
-  return {region_of(set), set.dangling_edges, set.isolated_vertices};
-}
-
 class SeamsOfSums : public testing::Test {
  protected:
   void look_at(const Certificate& certificate, const ClaimedSum& open_set) {
@@ -32,11 +28,11 @@ class SeamsOfSums : public testing::Test {
   }
 
   void look_at(const Region& p, const Region& q) {
-    const ClaimedSum open = as_given(by_slide(p, q, Boundary::open));
+    const ClaimedSum open = parts_of(by_slide(p, q, Boundary::open));
     look_at(open_certificate(p, q, open), open);
-    const ClaimedSum no_fit = as_given(oplus::no_fit(p, q, by_slide));
+    const ClaimedSum no_fit = parts_of(oplus::no_fit(p, q, by_slide));
     look_at(no_fit_certificate(p, q, no_fit), no_fit);
-    const ClaimedSum inner_fit = as_given(oplus::inner_fit(p, q, by_slide));
+    const ClaimedSum inner_fit = parts_of(oplus::inner_fit(p, q, by_slide));
     const Certificate of_inner_fit = inner_fit_certificate(p, q, inner_fit, by_slide);
     EXPECT_TRUE(of_inner_fit.outer.dangling_edges.empty());
     EXPECT_TRUE(of_inner_fit.outer.isolated_vertices.empty());
@@ -80,7 +76,7 @@ TEST_F(SeamsOfSums, of_all_families_hold) {
 
 TEST(Seams, of_an_open_set_that_is_no_sum_there_are_none) {
   const Region frame = holed(box(0, 0, 5, 5), {box(1, 1, 4, 4)}), part = polygon(box(0, 0, 3, 3));
-  ClaimedSum open = as_given(by_slide(frame, part, Boundary::open));
+  ClaimedSum open = parts_of(by_slide(frame, part, Boundary::open));
   ASSERT_EQ(open.isolated_vertices.size(), 1U);
   open_certificate(frame, part, open);
   open.isolated_vertices.clear();

@@ -24,10 +24,6 @@ PlanarSet union_in(const ClaimedSum& parts) {
   return union_of(parts.region, parts.dangling_edges, parts.isolated_vertices);
 }
 
-ClaimedSum parts_of(const PlanarSet& set) {
-  return {region_of(set), set.dangling_edges, set.isolated_vertices};
-}
-
 ClaimedSum minus(const ClaimedSum& set) { return reflected_to({0, 0}, set); }
 
 PlanarSet value(const std::string& name, const ClaimedSum& p, const ClaimedSum& q) {

@@ -57,7 +57,7 @@ class DamagedSets : public testing::Test {
   void expect_refused(const Region& p, const Region& q, const Claimed& claimed) {
     const auto& [claim, set, certificate] = claimed;
     SCOPED_TRACE(claim);
-    const ClaimedSum whole{region_of(set), set.dangling_edges, set.isolated_vertices};
+    const ClaimedSum whole = parts_of(set);
     const std::string right = written(certificate(whole));
     const std::string said = answer(claim, p, q, whole, right);
     ASSERT_TRUE(is_certified(said)) << said;

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "reference/definitions/region.hpp"
-#include "reference/families/cells.hpp"
 #include "reference/families/random.hpp"
+#include "reference/families/rich_regions.hpp"
 
 namespace oplus {
 
