@@ -6,6 +6,7 @@
 #include "checked/slide/slide.hpp"
 #include "reference/chains/region_of.hpp"
 #include "reference/definitions/collision.hpp"
+#include "reference/definitions/winding_number.hpp"
 #include "reference/families/family.hpp"
 #include "tests/checked/verify/damage.hpp"
 #include "tests/reference/definitions/print.hpp"
