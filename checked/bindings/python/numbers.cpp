@@ -2,6 +2,7 @@
 #include "checked/bindings/python/numbers.hpp"
 
 #include <cstdlib>
+#include <string>
 
 namespace oplus::python {
 

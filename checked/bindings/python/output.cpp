@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "checked/bindings/python/output.hpp"
 
+#include <utility>
+
 #include "checked/bindings/python/numbers.hpp"
 
 namespace oplus::python {

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <oplus/oplus.hpp>
+#include <utility>
 #include <variant>
 #include <vector>
 
