@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "checked/oplus/oplus.hpp"
-#include "tests/reference/io/from_text.hpp"
+#include "tests/reference/io/refusal.hpp"
 
 namespace oplus {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "checked/oplus/cgal.hpp"
-#include "tests/reference/io/from_text.hpp"
+#include "tests/reference/io/refusal.hpp"
 
 #include <CGAL/CORE_Expr.h>
 #include <CGAL/Cartesian.h>

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "checked/oplus/oplus.hpp"
-#include "tests/reference/io/from_text.hpp"
+#include "tests/reference/io/refusal.hpp"
 
 namespace oplus {
 namespace {

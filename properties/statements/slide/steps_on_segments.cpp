@@ -1,17 +1,231 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include "checked/slide/blocked_interval.hpp"
 #include "checked/slide/blocking_search.hpp"
 #include "checked/slide/component_test.hpp"
 #include "checked/slide/contact_interval.hpp"
+#include "checked/slide/exact_point.hpp"
+#include "checked/slide/free_pieces.hpp"
 #include "checked/slide/low_dimensional_features.hpp"
+#include "checked/slide/named_ends.hpp"
+#include "checked/slide/place_inside.hpp"
+#include "checked/slide/reduced_segments.hpp"
 #include "properties/runner/registry.hpp"
 #include "properties/statements/placements/covered_sum.hpp"
-#include "properties/statements/slide/slid_pair.hpp"
+#include "reference/definitions/collision.hpp"
+#include "reference/definitions/contract.hpp"
+#include "reference/families/family.hpp"
+#include "reference/io/counted.hpp"
 #include "reference/io/writing.hpp"
 #include "reference/oracle/oracle.hpp"
 
 namespace oplus {
 
 namespace {
+
+/// A pair as slide prepares it, in 64-bit integers.
+struct SlidPair {
+  using Numbers = slide::SmallNumbers;
+  using Place = slide::Fraction<Numbers>;
+  using ReducedSegment = slide::ReducedSegment<Numbers>;
+  using Piece = slide::Piece<Numbers>;
+
+  /// Requires: coordinates of at most 29 bits.
+  explicit SlidPair(const Summands& pair);
+
+  Point point(std::uint32_t segment, const Place& t) const;
+
+  Vector direction(std::uint32_t segment) const;
+
+  /// x(t), shifted to the right of the segment: by so little that no sign changes that was not
+  /// zero.
+  Point shifted(std::uint32_t segment, const Place& t) const;
+
+  /// By the definition: whether the interiors of P and -Q + x meet.
+  bool interiors_meet_at(const Point& x) const;
+
+  /// A place of each part into which the given places cut the segment, between two of them; the places
+  /// need be neither sorted nor different.
+  std::vector<Place> between(std::vector<Place> places) const;
+
+  /// What slide finds free, segment by segment.
+  slide::ShortList<slide::FreePiece<Numbers>> free_pieces() const;
+
+  const Summands& summands;
+  slide::Scaling scaling;
+  slide::ReducedSegments<Numbers> segments;
+
+ private:
+  Region minus_q_;
+};
+
+SlidPair::SlidPair(const Summands& pair)
+    : summands(pair),
+      scaling(slide::scaling_of(slide::extent_of(pair.p, slide::Denominators::any),
+                                slide::extent_of(pair.q, slide::Denominators::any))),
+      segments(pair.p, pair.q, scaling),
+      minus_q_(reflected(pair.q)) {
+  OPLUS_REQUIRES(scaling.bits <= Numbers::bits, "coordinates of 29 bits");
+  segments.prepare_boxes();
+}
+
+Point SlidPair::point(std::uint32_t segment, const Place& t) const {
+  return slide::ExactPoint<Numbers>(segments[segment].exact, t).in_the_plane(scaling);
+}
+
+Vector SlidPair::direction(std::uint32_t segment) const {
+  const auto& d = segments.direction(segment);
+  return {Rational(d.x), Rational(d.y)};
+}
+
+Point SlidPair::shifted(std::uint32_t segment, const Place& t) const {
+  // Places have denominators of less than 64 bits and coordinates less than 30 bits, so that a skew
+  // product that is not zero is larger than 2^-200.
+  static const Rational little = [] {
+    mpz_class large;
+    mpz_ui_pow_ui(large.get_mpz_t(), 2, 500);
+    return Rational(1, large);
+  }();
+  const Vector d = direction(segment);
+  return point(segment, t) + little * Vector{d.y, -d.x};
+}
+
+bool SlidPair::interiors_meet_at(const Point& x) const {
+  return interiors_meet(summands.p, translated(minus_q_, x));
+}
+
+std::vector<SlidPair::Place> SlidPair::between(std::vector<Place> places) const {
+  std::erase_if(places, [](const Place& t) { return !(Place{0, 1} < t) || !(t < Place{1, 1}); });
+  places.push_back({0, 1});
+  places.push_back({1, 1});
+  std::sort(places.begin(), places.end());
+  std::vector<Place> inside;
+  for (std::size_t i = 1; i < places.size(); ++i)
+    if (places[i - 1] < places[i])
+      inside.push_back(slide::place_inside(Piece{places[i - 1], places[i]}));
+  return inside;
+}
+
+slide::ShortList<slide::FreePiece<SlidPair::Numbers>> SlidPair::free_pieces() const {
+  slide::FreePieces<Numbers> search(segments.summands());
+  slide::ShortList<slide::FreePiece<Numbers>> pieces;
+  for (std::uint32_t i = 0; i < segments.size(); ++i)
+    search.find(segments[i], [&](Piece piece) { pieces.push_back({i, std::move(piece)}); });
+  return pieces;
+}
+
+Outcome check_segments(const Summands& summands) {
+  const SlidPair pair(summands);
+  std::vector<Origin> found, defined;
+  for (std::uint32_t i = 0; i < pair.segments.size(); ++i) found.push_back(pair.segments.origin(i));
+  for (const ConvolutionSegment& s : reduced_convolution(summands.p, summands.q))
+    defined.push_back(s.origin);
+  std::sort(found.begin(), found.end());
+  std::sort(defined.begin(), defined.end());
+  Outcome outcome;
+  outcome.counts["segments"] = found.size();
+  if (found != defined) {
+    outcome.fail(counted(found.size(), "segment", "segments") + " by ranks, " +
+                 std::to_string(defined.size()) + " by the definition");
+  }
+  return outcome;
+}
+
+const Registered step_segments(small_mixture(), {.id = "step-segments",
+                                                 .kills = {"slide-ranks-without-ties"},
+                                                 .cases = 600,
+                                                 .check = check_segments});
+
+Outcome check_interval(const Summands& summands) {
+  const SlidPair pair(summands);
+  const auto& p = pair.segments.summands().p.edges;
+  const auto& q = pair.segments.summands().q.edges;
+  const std::vector<Segment> of_p = edges(summands.p);
+  const std::vector<Segment> of_q = edges(reflected(summands.q));
+  Outcome outcome;
+  // All pairs of edges, on about four segments; which ones depends on the size of P.
+  const std::uint32_t step = 1 + static_cast<std::uint32_t>(pair.segments.size() / 4);
+  for (std::uint32_t i = static_cast<std::uint32_t>(of_p.size()) % step; i < pair.segments.size();
+       i += step) {
+    const auto segment = pair.segments[i].exact;
+    for (std::size_t a = 0; a < p.size(); ++a) {
+      for (std::size_t b = 0; b < q.size(); ++b) {
+        const auto blocked =
+            slide::blocked_interval(segment, p[a], q[b], slide::Shift::to_the_right);
+        const auto contact = slide::contact_interval(segment, p[a], q[b]);
+        std::vector<SlidPair::Place> ends;
+        if (blocked) ends.insert(ends.end(), {blocked->from, blocked->to});
+        if (contact) ends.insert(ends.end(), {contact->from, contact->to});
+        for (const SlidPair::Place& t : pair.between(ends)) {
+          ++outcome.counts["places"];
+          const bool is_blocked = blocked && blocked->from < t && t < blocked->to;
+          outcome.counts["places where they cross"] += is_blocked;
+          const Point x = pair.shifted(i, t);
+          const Segment moved{of_q[b].source + x, of_q[b].target + x};
+          if (cross_properly(of_p[a], moved) == is_blocked) continue;
+          return outcome.fail("at " + to_string(pair.point(i, t)) + " on segment " +
+                                  std::to_string(i) + " edge " + std::to_string(a) +
+                                  " of P and edge " + std::to_string(b) + " of Q " +
+                                  (is_blocked ? "do not cross, and the interval says that they do"
+                                              : "cross, and the interval says that they do not"),
+                              pair.point(i, t));
+        }
+      }
+    }
+  }
+  return outcome;
+}
+
+const Registered step_interval(small_mixture(), {.id = "step-interval",
+                                                 .kills = {"slide-shifts-to-the-left"},
+                                                 .cases = 500,
+                                                 .check = check_interval});
+
+Outcome check_ends(const Summands& summands) {
+  const SlidPair pair(summands);
+  slide::ShortList<slide::FreePiece<SlidPair::Numbers>> pieces = pair.free_pieces();
+  const auto ends = slide::named_ends(pieces, pair.segments, pair.scaling, 1);
+  std::vector<Point> points;
+  for (const auto& x : ends.points) points.push_back(x.in_the_plane(pair.scaling));
+  const auto is_on = [&](std::uint32_t i, const slide::BoundaryPiece& piece) {
+    return slide::lies_between(ends.points[i], ends.points[piece.from], ends.points[piece.to],
+                               pair.scaling);
+  };
+  const auto cut =
+      slide::cut_at_points(slide::span_of(ends.pieces),
+                           {is_on, slide::span_of(ends.near_x), slide::span_of(ends.near_y)}, 1);
+  Outcome outcome;
+  outcome.counts["free pieces"] = pieces.size();
+  outcome.counts["pieces after cutting"] = cut.size();
+  for (std::size_t i = 0; i < points.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (points[i] == points[j])
+        return outcome.fail(
+            "two ends at the same point have different "
+            "numbers",
+            points[i]);
+  if (!std::is_sorted(points.begin(), points.end()))
+    return outcome.fail("ends are not numbered in the order of the plane");
+  std::vector<Segment> before, after;
+  for (const auto& piece : pieces)
+    before.push_back(
+        {pair.point(piece.segment, piece.piece.from), pair.point(piece.segment, piece.piece.to)});
+  for (const auto& piece : cut) after.push_back({points[piece.from], points[piece.to]});
+  if (maximal_segments(before) != maximal_segments(after))
+    return outcome.fail("the pieces after cutting do not cover the same points as before");
+  for (const Segment& a : after)
+    for (const Segment& b : after)
+      for (const Point& x : {b.source, b.target})
+        if (lies_on(x, a) && x != a.source && x != a.target)
+          return outcome.fail("a piece ends inside another one", x);
+  return outcome;
+}
+
+const Registered step_ends(small_mixture(), {.id = "step-ends",
+                                             .kills = {"slide-pieces-stay-uncut"},
+                                             .cases = 800,
+                                             .check = check_ends});
 
 slide::OpenCandidates<SlidPair::Numbers> candidates_of(const SlidPair& pair) {
   const auto rays = slide::rays_of(pair.segments.summands());
