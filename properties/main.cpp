@@ -2,7 +2,6 @@
 // Of this file three programs are built: oplus-check and two that stay in the build folder: with
 // OPLUS_MAINTAIN oplus-maintain, which also does what needs the sources, and with OPLUS_COMPARE
 // oplus-compare, which is what properties/run builds: the comparison without the statements.
-#include <string>
 
 #include "checked/cli/command_line/program_frame.hpp"
 #include "properties/commands.hpp"

@@ -18,10 +18,8 @@
 #include "checked/cli/command_line/terminal.hpp"
 #include "checked/cli/input.hpp"
 #include "checked/cli/shared_options.hpp"
-#include "checked/cli/spacing.hpp"
 #include "checked/cli/usage_error.hpp"
 #include "reference/io/counted.hpp"
-#include "reference/io/invalid_input.hpp"
 
 namespace oplus {
 

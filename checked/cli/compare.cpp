@@ -6,7 +6,6 @@
 #include "checked/cli/input.hpp"
 #include "checked/cli/json_values.hpp"
 #include "checked/cli/shared_options.hpp"
-#include "checked/cli/statistics.hpp"
 #include "reference/definitions/difference.hpp"
 
 namespace oplus {

@@ -4,7 +4,7 @@
 #include "checked/cli/command_line/outputs.hpp"
 #include "checked/cli/input.hpp"
 #include "checked/cli/json_values.hpp"
-#include "checked/cli/rounded_root.hpp"
+#include "checked/cli/numbers.hpp"
 #include "checked/cli/shared_options.hpp"
 #include "reference/io/invalid_input.hpp"
 #include "reference/io/writing.hpp"

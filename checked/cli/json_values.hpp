@@ -2,8 +2,10 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <string>
 
 #include "checked/statistics.hpp"
+#include "reference/definitions/planar_set.hpp"
 #include "reference/definitions/point.hpp"
 
 namespace oplus {
@@ -19,5 +21,11 @@ Json json(const Quantity& quantity);
 
 /// An object: "outer chains" is "outer_chains".
 Json json(const Statistics& statistics);
+
+/// How many parts of each kind the sum has, and its area.
+Statistics statistics_of(const PlanarSet& sum);
+
+/// A count; seconds, to six decimals; a value exactly, or rounded and marked so where it is long.
+std::string in_text(const Quantity& quantity);
 
 }  // namespace oplus

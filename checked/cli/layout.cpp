@@ -74,9 +74,7 @@ ExitCode check_layout(const LayoutOptions& options) {
   std::vector<OutputTo> outputs_to = {{options.output, options.answer(layout, verdicts)}};
   if (options.certificate && is_right(verdicts))
     outputs_to.emplace_back(*options.certificate, certificate_of(layout.sheets[0]));
-  Outputs outputs;
-  outputs.write(outputs_to);
-  outputs.finish();
+  write_texts(outputs_to);
   if (options.certificate && !is_right(verdicts))
     say_note("there is no certificate of a layout that is wrong");
   return is_right(verdicts) ? ExitCode::done : ExitCode::not_equal;

@@ -7,7 +7,7 @@
 
 #include "checked/cli/command_line/terminal.hpp"
 #include "checked/cli/json_values.hpp"
-#include "checked/cli/rounded_root.hpp"
+#include "checked/cli/numbers.hpp"
 #include "reference/definitions/region.hpp"
 #include "reference/io/counted.hpp"
 #include "reference/io/quoting.hpp"

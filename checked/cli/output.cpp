@@ -12,7 +12,6 @@
 
 #include "checked/cli/command_line/terminal.hpp"
 #include "checked/cli/numbers.hpp"
-#include "checked/cli/rounded_root.hpp"
 #include "checked/cli/usage_error.hpp"
 #include "reference/chains/region_of.hpp"
 #include "reference/definitions/unbounded.hpp"
@@ -159,14 +158,8 @@ OutputText output_text(const RegionOutput& output, Format format, const PlanarSe
 void write_output(const RegionOutput& output, const OutputText& text,
                   std::vector<OutputTo> others) {
   others.emplace_back(output.path, text.text);
-  Outputs outputs;
-  outputs.write(others);
-  outputs.finish();
-  say_note_of(text);
-}
-
-void say_note_of(const OutputText& text) {
-  if (!speech().quiet && !text.note.empty()) say_note(text.note);
+  write_texts(others);
+  if (!text.note.empty()) say_note(text.note);
 }
 
 void write_region(const RegionOutput& output, Format format, const Region& region) {

@@ -57,9 +57,6 @@ void require_doubles(const Region& region, const PlanarSet& set);
 void write_output(const RegionOutput& output, const OutputText& text,
                   std::vector<OutputTo> others = {});
 
-/// Says what is to be known, where something is.
-void say_note_of(const OutputText& text);
-
 /// All of it at once.
 void write_region(const RegionOutput& output, Format format, const Region& region);
 void write_set(const RegionOutput& output, Format format, const PlanarSet& set, Boundary boundary);

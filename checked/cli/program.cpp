@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "checked/cli/program.hpp"
 
+#include "checked/cli/command_line/early_ends.hpp"
 #include "checked/cli/command_line/program_frame.hpp"
-#include "checked/cli/crash.hpp"
-#include "checked/cli/subcommands.hpp"
 
 namespace oplus {
 

@@ -4,10 +4,15 @@
 #include <algorithm>
 #include <thread>
 
+#include "checked/cli/input.hpp"
 #include "checked/cli/numbers.hpp"
 #include "checked/cli/usage_error.hpp"
+#include "checked/engines/engines.hpp"
+#include "checked/operations/disc.hpp"
 #include "reference/chains/nesting.hpp"
+#include "reference/chains/region_of.hpp"
 #include "reference/io/quoting.hpp"
+#include "reference/oracle/oracle.hpp"
 
 namespace oplus {
 
@@ -113,6 +118,58 @@ void require_certifiable(const std::optional<std::string>& certificate,
 void add_open(const Command& command, Boundary& boundary, const std::string& what) {
   command.flag(
       "--open", [&boundary] { boundary = Boundary::open; }, what);
+}
+
+void add_spacing(const Command& command, SpacingOptions& spacing) {
+  command.option(
+      "--spacing D", spacing.distance,
+      "keep Q at a distance: nfp is also where Q is nearer to P than D, and ifp only where it is not "
+      "nearer than D to what is outside of P. By a polygon around the disc of radius D, so that Q is "
+      "never nearer than D where it is allowed to be");
+  command.option("--spacing-error E", spacing.error,
+                 "by how much the polygon may be larger than the disc, D/100 by default");
+}
+
+std::optional<Region> disc_of(const SpacingOptions& spacing) {
+  if (!spacing.distance) {
+    if (spacing.error) throw UsageError("--spacing-error is for --spacing");
+    return std::nullopt;
+  }
+  const Rational radius = positive_number("--spacing", "a distance", *spacing.distance);
+  return disc_polygon(radius, DiscSide::outside,
+                      spacing.error
+                          ? positive_number("--spacing-error", "a distance", *spacing.error)
+                          : Rational(radius / 100));
+}
+
+ReadSet spaced(const ReadSet& q, const Region& disc, const SumOf& sum) {
+  const PlanarSet grown = result_of(operation_called("sum"), q, {disc, {}, {}, {}}, sum);
+  return {region_of(grown), {}, {}, {}};
+}
+
+namespace {
+
+ComputedSum by_oracle(const Region& p, const Region& q, Boundary boundary,
+                      const EngineOptions& options) {
+  OracleSums sums = oracle_sums(p, q);
+  ComputedSum result;
+  result.sum = std::move(boundary == Boundary::closed ? sums.closed : sums.open);
+  if (options.with_origins) result.origins = origins(result.sum, reduced_convolution(p, q));
+  result.statistics = {{"decided faces", sums.cells.faces},
+                       {"decided edges", sums.cells.edges},
+                       {"decided vertices", sums.cells.vertices}};
+  return result;
+}
+
+}  // namespace
+
+const std::vector<Engine>& engines_and_oracle() {
+  static const std::vector<Engine> table = [] {
+    std::vector<Engine> all = engines();
+    all.push_back({.name = "oracle", .what = "the definitions, slowly", .compute = by_oracle});
+    return all;
+  }();
+  return table;
 }
 
 }  // namespace oplus

@@ -6,11 +6,13 @@
 
 #include "checked/cli/exit_code.hpp"
 #include "checked/cli/output.hpp"
-#include "checked/cli/subcommands.hpp"
+#include "checked/cli/program.hpp"
 #include "checked/engine.hpp"
+#include "checked/operations/sum_of.hpp"
 #include "reference/definitions/planar_set.hpp"
 #include "reference/definitions/rational.hpp"
 #include "reference/io/overlaps.hpp"
+#include "reference/io/reading.hpp"
 
 namespace oplus {
 
@@ -52,5 +54,25 @@ void require_certifiable(const std::optional<std::string>& certificate, const Re
 
 /// Adds `--open`.
 void add_open(const Command& command, Boundary& boundary, const std::string& what);
+
+/// How far Q is to be from what it must not overlap.
+struct SpacingOptions {
+  std::optional<std::string> distance;
+  std::optional<std::string> error;
+};
+
+/// Adds `--spacing D` and `--spacing-error E`.
+void add_spacing(const Command& command, SpacingOptions& spacing);
+
+/// A polygon around the disc of that radius, at most the error beyond it (disc.hpp); none where no spacing was asked
+/// for. Throws UsageError.
+std::optional<Region> disc_of(const SpacingOptions& spacing);
+
+/// Q and all points that are nearer to it than the spacing; some are farther away, by the error at most. Where this,
+/// moved, only touches P, Q is not nearer to P than the spacing.
+ReadSet spaced(const ReadSet& q, const Region& disc, const SumOf& sum);
+
+/// What the program offers, the default first: the engines (checked/engines/engines.hpp), then the oracle.
+const std::vector<Engine>& engines_and_oracle();
 
 }  // namespace oplus

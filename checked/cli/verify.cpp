@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "checked/verify/verify.hpp"
 
-#include <algorithm>
 #include <optional>
 #include <set>
 #include <utility>
@@ -11,7 +10,6 @@
 #include "checked/cli/json_values.hpp"
 #include "checked/cli/layer_styles.hpp"
 #include "checked/cli/numbers.hpp"
-#include "checked/cli/rounded_root.hpp"
 #include "checked/cli/shared_options.hpp"
 #include "checked/cli/view.hpp"
 #include "checked/verify/closeness.hpp"
@@ -121,9 +119,7 @@ ExitCode answer(const VerifyOptions& options, bool is_yes, Json json, std::strin
   json["notes"] = notes;
   for (const std::string& note : notes) text += "note: " + note + "\n";
   outputs.emplace_back("-", options.json ? json.dump(2) + "\n" : std::move(text));
-  Outputs all;
-  all.write(outputs);
-  all.finish();
+  write_texts(outputs);
   return is_yes ? ExitCode::done : ExitCode::not_equal;
 }
 

@@ -2,7 +2,14 @@
 #include "checked/cli/view.hpp"
 
 #include <algorithm>
+#include <boost/algorithm/string/join.hpp>
+#include <string>
 #include <utility>
+#include <vector>
+
+#include "reference/chains/region_of.hpp"
+#include "reference/io/counted.hpp"
+#include "reference/pictures/styles.hpp"
 
 namespace oplus {
 
@@ -47,6 +54,22 @@ std::string beside_summands(const Region& p, const Region& q, std::string title,
   return svg_in_columns(
       {{panel_of(Summand::P, p), panel_of(Summand::Q, q)}, {{std::move(title), std::move(layers)}}},
       longest_side);
+}
+
+Panel panel_of_set(Summand which, const PlanarSet& set) {
+  const Style& style = which == Summand::P ? style::summand_p : style::summand_q;
+  Style of_points = style;
+  of_points.fill = style.line;
+  const Region region = region_of(set);
+  std::vector<std::string> sizes;
+  const auto add = [&](std::size_t size, const char* one, const char* several) {
+    if (size > 0) sizes.push_back(counted(size, one, several));
+  };
+  add(vertex_count(region), "vertex", "vertices");
+  add(set.dangling_edges.size(), "segment", "segments");
+  add(set.isolated_vertices.size(), "point", "points");
+  return {style.label + ": " + (sizes.empty() ? "empty" : boost::algorithm::join(sizes, ", ")),
+          {{style, region, set.dangling_edges}, {of_points, {}, {}, set.isolated_vertices}}};
 }
 
 }  // namespace oplus

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "reference/definitions/planar_set.hpp"
 #include "reference/definitions/region.hpp"
 #include "reference/pictures/picture.hpp"
 
@@ -23,7 +24,7 @@ const std::vector<View>& views();
 /// Returns nullptr for an unknown name.
 const View* find_view(const std::string& name);
 
-// One each, in files named after them. Same regions, same bytes.
+// One each. Same regions, same bytes.
 // Require: p and q are valid (validity.hpp).
 
 /// The fiber grid of each pair of chains (thesis, Definition 4.1.7), one below another.
@@ -59,5 +60,9 @@ Panel placement_panel(const Region& p, const Region& q, const Point& x);
 /// The document: both summands in a column, the drawing at its right.
 std::string beside_summands(const Region& p, const Region& q, std::string title,
                             std::vector<Layer> layers);
+
+/// The drawing of a summand that may have edges and points of its own; its title says how many of each.
+/// Requires: it is bounded.
+Panel panel_of_set(Summand which, const PlanarSet& set);
 
 }  // namespace oplus

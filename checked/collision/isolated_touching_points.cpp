@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "checked/collision/isolated_touching_points.hpp"
 
-#include <algorithm>
-
-#include "reference/chains/region_of.hpp"
 #include "reference/chains/touching_points.hpp"
 #include "reference/definitions/mutant.hpp"
 #include "reference/definitions/sorted_without_copies.hpp"

@@ -3,7 +3,6 @@
 #include <functional>
 #include <optional>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "checked/collision/collision_test.hpp"

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "checked/collision/segment_tree.hpp"
 
-#include <optional>
-
 #include "reference/chains/near_point.hpp"
 #include "reference/definitions/squared_distance.hpp"
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "checked/collision/summand_boundary.hpp"
 
-#include <algorithm>
 #include <optional>
 
 #include "reference/chains/touching_points.hpp"

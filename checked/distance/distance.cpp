@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "checked/distance/distance.hpp"
 
-#include <utility>
-
 #include "checked/collision/collision_test.hpp"
 #include "checked/collision/summand_boundary.hpp"
 #include "checked/distance/nearest_segments.hpp"

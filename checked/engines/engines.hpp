@@ -6,7 +6,7 @@
 namespace oplus {
 
 /// The algorithms under check, the default first. The table of the program `oplus` has the oracle
-/// besides (checked/cli/engines_and_oracle.hpp).
+/// besides (checked/cli/shared_options.hpp).
 const std::vector<Engine>& engines();
 
 }  // namespace oplus

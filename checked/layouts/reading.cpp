@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "checked/layouts/reading.hpp"
 
-#include <algorithm>
-
 #include "checked/layouts/builder.hpp"
 #include "checked/layouts/json_fields.hpp"
 #include "reference/io/file_text.hpp"

@@ -10,7 +10,7 @@
 #include "checked/rounding/faces.hpp"
 #include "checked/rounding/snapped_edges.hpp"
 #include "checked/rounding/topology_changes.hpp"
-#include "checked/slide/slide.hpp"
+#include "checked/slide/by_slide.hpp"
 #include "checked/verify/overlay.hpp"
 #include "reference/chains/frame.hpp"
 #include "reference/chains/region_of.hpp"
@@ -118,10 +118,7 @@ PlanarSet grown(PlanarSet set, const PlanarSet& features, const Rational& step) 
            : 2);
   set.dangling_edges = features.dangling_edges;
   set.isolated_vertices = features.isolated_vertices;
-  return set_sum(set, canonical_sum(square_of(half)), Boundary::closed,
-                 [](const Region& p, const Region& q, Boundary boundary) {
-                   return slide_sum(p, q, boundary).sum;
-                 });
+  return set_sum(set, canonical_sum(square_of(half)), Boundary::closed, by_slide);
 }
 
 RoundedSet snapped(const std::vector<Segment>& edges, const Rational& step) {

@@ -32,7 +32,7 @@ std::string certificate_of(const Region& p, const Region& q, const ClaimedSum& s
 PlanarSet certified_sum(const Region& p, const Region& q, Boundary boundary,
                         const ProcessLimits& limits) {
   PlanarSet sum = find_engine(engines(), "slide")->compute(p, q, boundary, {}).sum;
-  const ClaimedSum given{region_of(sum), sum.dangling_edges, sum.isolated_vertices};
+  const ClaimedSum given = parts_of(sum);
   const EndedProcess ended =
       checked_certificate(boundary == Boundary::closed ? "sum" : "open-sum", p, q, given,
                           certificate_of(p, q, given, boundary), limits);

@@ -5,10 +5,10 @@
 #include <boost/algorithm/string/join.hpp>
 #include <filesystem>
 #include <iostream>
-#include <optional>
 #include <thread>
 
 #include "checked/arrangement/hole_test.hpp"
+#include "checked/cli/batch/interrupted.hpp"
 #include "checked/cli/command_line/progress.hpp"
 #include "checked/cli/command_line/terminal.hpp"
 #include "checked/cli/output.hpp"
@@ -23,7 +23,6 @@
 #include "properties/compare/run_campaign.hpp"
 #include "properties/compare/sources.hpp"
 #include "properties/runner/checked_engines.hpp"
-#include "properties/runner/interrupt.hpp"
 #include "properties/runner/known_name.hpp"
 #include "reference/io/counted.hpp"
 #include "reference/io/file_text.hpp"
@@ -58,7 +57,7 @@ std::vector<Engine> chosen_engines(const Campaign& campaign) {
   const ProcessLimits limits{.seconds = campaign.time_limit,
                              .address_space_mb = campaign.memory_limit,
                              .output_mb = 64,
-                             .is_interrupted = is_interrupted};
+                             .is_interrupted = NotedInterrupt::is_noted};
   const std::vector<std::string>& names = campaign.engines;
   if (names.empty() || std::ranges::count(names, "all") > 0) {
     for (const Engine& other :
@@ -102,7 +101,7 @@ CampaignReport run(const CompareOptions& options, CampaignReport report,
   watch.while_shrinking = [&](const ShrunkFailure& found) {
     progress.shrink(found.sum.failure.kind, size_of(found.sum.pair).vertices, found.tries);
   };
-  watch.is_interrupted = is_interrupted;
+  watch.is_interrupted = NotedInterrupt::is_noted;
   if (!options.resume.empty())
     watch.keep = [&](const CampaignReport& now) { write_file(options.resume, sealed(now)); };
   const unsigned cores = std::max(std::thread::hardware_concurrency(), 1U);
@@ -193,7 +192,8 @@ int compare(const std::string& command, CompareOptions options,
   for (const std::string& file : options.reports)
     if (normal(std::filesystem::path(file).parent_path()) != normal(options.out))
       require_writable({file});
-  finish_when_interrupted();
+  const NotedInterrupt interrupt(
+      "\ninterrupted: writing the report; a second interrupt ends the program at once\n");
   Rules rules{.engines = chosen_engines(options.campaign),
               .asks_beyond = command == "conformance",
               .judge = judge_named(options.campaign.judge)};

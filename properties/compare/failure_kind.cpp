@@ -9,7 +9,6 @@
 #include "reference/definitions/collision.hpp"
 #include "reference/definitions/common_denominator.hpp"
 #include "reference/definitions/difference.hpp"
-#include "reference/definitions/planar_set.hpp"
 #include "reference/definitions/winding_number.hpp"
 #include "reference/io/counted.hpp"
 #include "reference/io/quoting.hpp"

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 
-#include "reference/chains/region_of.hpp"
 #include "reference/chains/validity.hpp"
 
 namespace oplus {

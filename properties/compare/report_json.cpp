@@ -9,7 +9,6 @@
 #include "reference/definitions/unbounded.hpp"
 #include "reference/io/boundary_name.hpp"
 #include "reference/io/invalid_input.hpp"
-#include "reference/io/json_tree.hpp"
 #include "reference/io/reading.hpp"
 #include "reference/io/writing.hpp"
 
@@ -41,35 +40,6 @@ namespace {
 /// A report is written even where a name is not valid UTF-8.
 std::string text_of(const Json& json, int indent) {
   return json.dump(indent, ' ', false, Json::error_handler_t::replace);
-}
-
-Json number_of(const std::string& text) {
-  if (text.find_first_of(".eE") != std::string::npos) return std::stod(text);
-  if (text.starts_with('-')) return std::stoll(text);
-  return std::stoull(text);
-}
-
-/// What was read, to be compared and taken apart.
-Json json_of(const JsonValue& value) {
-  Json json;
-  switch (value.kind()) {
-    case JsonValue::Kind::null:
-      return nullptr;
-    case JsonValue::Kind::boolean:
-      return value.text() == "true";
-    case JsonValue::Kind::number:
-      return number_of(std::string(value.text()));
-    case JsonValue::Kind::string:
-      return std::string(value.text());
-    case JsonValue::Kind::array:
-      json = Json::array();
-      for (const JsonValue& item : value) json.push_back(json_of(item));
-      return json;
-    case JsonValue::Kind::object:
-      json = Json::object();
-      for (const auto& [key, member] : value.members()) json[std::string(key)] = json_of(member);
-  }
-  return json;
 }
 
 std::string checksum(const Json& json) {
@@ -140,12 +110,8 @@ CampaignReport opened(const std::string& text, const std::string& file) {
   const auto refuse = [&](const std::string& wrong) {
     return InvalidInput({file, 1, 0}, wrong, "a report that oplus-check wrote with --report");
   };
-  Json json;
-  try {
-    json = json_of(JsonTree(InputText{file, text}).root());
-  } catch (const std::exception&) {
-    throw refuse("invalid or truncated JSON");
-  }
+  Json json = Json::parse(text, nullptr, false);
+  if (json.is_discarded()) throw refuse("invalid or truncated JSON");
   if (!json.is_object() || !json.contains("checksum")) throw refuse("not a report of a shard");
   const Json said = json["checksum"];
   json.erase("checksum");

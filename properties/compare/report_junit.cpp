@@ -5,7 +5,7 @@
 
 #include "properties/compare/counterexample_files.hpp"
 #include "properties/compare/report_text.hpp"
-#include "properties/compare/values_in_words.hpp"
+#include "properties/compare/sum_digest.hpp"
 #include "reference/io/counted.hpp"
 
 namespace oplus {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "properties/compare/run_campaign.hpp"
 
-#include <algorithm>
 #include <optional>
 #include <system_error>
 #include <utility>

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "reference/definitions/planar_set.hpp"
+#include "reference/definitions/values.hpp"
 
 namespace oplus {
 
@@ -31,5 +32,13 @@ class SumDigest {
  private:
   mpz_class sum_;  ///< of hashes, modulo 2^128
 };
+
+// Lines for reports, in WKT where that can hold the value.
+
+/// An unbounded region is in the form of .dat.
+std::string in_words(const Region& region);
+
+/// A sum that is no region, or is unbounded, is listed by its chains, edges and points.
+std::string in_words(const PlanarSet& sum);
 
 }  // namespace oplus

@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <limits>
 #include <map>
-#include <vector>
 
 #include "reference/chains/validity.hpp"
 

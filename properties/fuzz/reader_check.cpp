@@ -5,7 +5,6 @@
 #include <array>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "checked/layouts/check.hpp"
 #include "checked/layouts/reading.hpp"

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <string>
-#include <utility>
 
 #include "checked/slide/number_types.hpp"
 #include "checked/slide/slide.hpp"

@@ -5,7 +5,6 @@
 
 #include "reference/chains/region_of.hpp"
 #include "reference/families/rich_regions.hpp"
-#include "reference/io/writing.hpp"
 
 namespace oplus {
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""embed_texts.py ROOT FILE: writes what is said and recorded of the statements (statement_text.hpp) as C++ to FILE."""
+"""embed_texts.py ROOT FILE: writes what is said and recorded of the statements (statement.hpp) as C++ to FILE."""
 
 import json
 import sys
@@ -26,7 +26,7 @@ def source(root):
         for text in texts(root))
     return f"""// SPDX-License-Identifier: GPL-3.0-or-later
 // Made by properties/pages/embed_texts.py.
-#include "properties/runner/statement_text.hpp"
+#include "properties/runner/statement.hpp"
 
 namespace oplus {{
 

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "properties/runner/fitting_pairs.hpp"
 
-#include <algorithm>
 #include <functional>
-#include <utility>
 #include <vector>
 
 #include "reference/chains/region_of.hpp"
 #include "reference/definitions/exact_box.hpp"
 #include "reference/definitions/planar_set.hpp"
 #include "reference/oracle/cell_sets.hpp"
-#include "reference/oracle/operations_by_definition.hpp"
 #include "reference/oracle/set_by_pieces.hpp"
 
 namespace oplus {

@@ -6,6 +6,7 @@
 #include <ostream>
 #include <vector>
 
+#include "properties/mutants/mutants.hpp"
 #include "properties/runner/record.hpp"
 #include "properties/runner/registry.hpp"
 

@@ -55,6 +55,12 @@ Registered::Registered(Statement statement) {
   registered_statements().push_back(std::move(statement));
 }
 
+Registered::Registered(Mixture pairs, Statement statement) {
+  statement.sources = std::move(pairs.sources);
+  statement.promises = std::move(pairs.promises);
+  registered_statements().push_back(std::move(statement));
+}
+
 std::string relative_file(const std::string& file) {
   return absolute_file(file).lexically_relative(source_root()).string();
 }

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "properties/mutants/mutants.hpp"
+#include "properties/runner/mixture.hpp"
 #include "properties/runner/statement.hpp"
 
 namespace oplus {
@@ -12,9 +12,10 @@ namespace oplus {
 /// All statements with their texts, in the order of their numbers, facts and laws last.
 std::vector<Statement> statements();
 
-/// Registers a statement before main.
+/// Registers a statement before main, with sources and promises of its own or those of a mixture.
 struct Registered {
   explicit Registered(Statement statement);
+  Registered(Mixture pairs, Statement statement);
 };
 
 /// A source file, as the compiler names it, relative to the root.

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "checked/engine.hpp"
-#include "properties/runner/statement_text.hpp"
 #include "reference/families/family.hpp"
 
 namespace oplus {
@@ -52,11 +51,25 @@ struct Promise {
   int percent;
 };
 
+/// What is said of a statement, in properties/statements/*/statements.md.
+struct StatementText {
+  std::string id;
+  std::string title;      ///< a line
+  std::string statement;  ///< in our own words
+  std::string why;        ///< why it holds, in a few lines
+  std::vector<std::string> hypotheses;
+  std::vector<std::string> rests_on;  ///< ids of statements
+  std::string backing;                ///< what backs it when this was built, as its page says
+};
+
+/// All of them; properties/pages/embed_texts.py collects them when this is built.
+const std::vector<StatementText>& statement_texts();
+
 /// A statement of the thesis or a fact of our own, as something that can be found false.
 struct Statement {
   std::string id;  ///< kind and number: "lemma-4.1.4"
-  std::vector<Source> sources;
-  std::vector<Promise> promises;
+  std::vector<Source> sources = {};
+  std::vector<Promise> promises = {};
   std::vector<std::string> kills;  ///< mutants that the statement must find
   std::size_t cases = 0;           ///< how many a run tries unless told otherwise
   std::string file = std::source_location::current().file_name();  ///< where it stands

@@ -7,6 +7,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "properties/mutants/mutants.hpp"
 #include "properties/runner/known_name.hpp"
 #include "properties/runner/registry.hpp"
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "reference/chains/plane_sweep.hpp"
 
-#include <algorithm>
 #include <boost/intrusive/rbtree.hpp>
 #include <numeric>
 #include <utility>

@@ -13,6 +13,11 @@ namespace oplus {
 /// sum, to the last component, which has none.
 Region region_of(const PlanarSet& sum);
 
+/// The same with its dangling edges and isolated vertices.
+inline ClaimedSum parts_of(const PlanarSet& sum) {
+  return {region_of(sum), sum.dangling_edges, sum.isolated_vertices};
+}
+
 /// The sum that is just this valid region: its chains in canonical form.
 PlanarSet canonical_sum(const Region& region);
 

@@ -2,7 +2,6 @@
 #include "reference/definitions/cells.hpp"
 
 #include <algorithm>
-#include <optional>
 #include <utility>
 
 #include "reference/definitions/cut_at_intersections.hpp"

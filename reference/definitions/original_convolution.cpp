@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "reference/definitions/original_convolution.hpp"
 
-#include <algorithm>
-
 #include "reference/definitions/mutant.hpp"
 #include "reference/definitions/tangent_set.hpp"
 

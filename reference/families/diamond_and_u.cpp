@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reference/families/diamond_and_u.hpp"
 
 #include <iterator>
 #include <utility>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
+
 #include "reference/families/family.hpp"
 
 namespace oplus {
@@ -29,5 +31,15 @@ Summands dots_pair(Random& random, std::size_t n);
 Summands sieve_pair(Random& random, std::size_t n);
 Summands pockets_pair(Random& random, std::size_t n);
 Summands touching_pair(Random& random, std::size_t n);
+
+/// A fork with `teeth` teeth on each of its two arms, 8n + 4 vertices, and a long thin L: their sum
+/// has exactly n² holes (thesis, Section 6.1.4). Requires: teeth >= 1.
+Summands fork_and_l(std::size_t teeth);
+
+/// A room with a hatch of width 1 in its roof, from (3,5) and (4,5) up to (3-eps1,6) and (4,6), and
+/// a diamond of width 1 + eps2 (thesis, Section 6.4). With neither perturbation the diamond just
+/// slides through: the open sum has a dangling edge between its hole and its outer chain.
+/// Requires: 0 <= eps1 < 3, 0 <= eps2.
+Summands diamond_and_u(const Rational& eps1, const Rational& eps2);
 
 }  // namespace oplus

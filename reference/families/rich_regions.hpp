@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <set>
+#include <utility>
 
 #include "reference/definitions/region.hpp"
 #include "reference/families/random.hpp"
@@ -19,5 +21,12 @@ Region holed_region(Random& random, std::size_t most);
 
 /// Two to four components, with and without holes; they may touch in points, or lie in a hole.
 Region scattered_region(Random& random, std::size_t most);
+
+/// Unit squares of the grid, named by their lower left corners.
+using Cells = std::set<std::pair<int, int>>;
+
+/// Returns the union of the cells: components and holes as they come, touching each other where
+/// two cells have only a corner in common. No vertex is inside a straight line.
+Region region_of_cells(const Cells& cells);
 
 }  // namespace oplus

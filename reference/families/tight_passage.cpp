@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <utility>
-#include <vector>
 
 #include "reference/chains/validity.hpp"
-#include "reference/families/cells.hpp"
 #include "reference/families/lattice_polygon.hpp"
 #include "reference/families/pairs.hpp"
+#include "reference/families/rich_regions.hpp"
 
 namespace oplus {
 

@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <limits>
 #include <string>
-#include <utility>
 
 #include "reference/io/placed_geometry.hpp"
 #include "reference/io/quoting.hpp"

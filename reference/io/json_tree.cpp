@@ -6,10 +6,7 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
 #include <set>
-#include <string_view>
-#include <utility>
 
 #include "reference/io/quoting.hpp"
 

@@ -19,7 +19,6 @@
 #include "reference/io/placed_geometry.hpp"
 #include "reference/io/quoting.hpp"
 #include "reference/io/unchecked_input.hpp"
-#include "reference/io/writing.hpp"
 
 namespace oplus {
 

@@ -2,10 +2,8 @@
 #include "reference/oracle/operations_by_definition.hpp"
 
 #include <algorithm>
-#include <utility>
 
 #include "reference/definitions/collision.hpp"
-#include "reference/definitions/planar_set.hpp"
 #include "reference/oracle/cell_sets.hpp"
 #include "reference/oracle/set_by_pieces.hpp"
 

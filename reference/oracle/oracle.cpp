@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "reference/oracle/oracle.hpp"
 
-#include <string>
 #include <vector>
 
 #include "reference/definitions/cells.hpp"

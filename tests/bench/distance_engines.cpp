@@ -7,7 +7,7 @@
 #include "checked/distance/distance.hpp"
 #include "checked/operations/operations.hpp"
 #include "checked/oplus/oplus.hpp"
-#include "checked/slide/slide.hpp"
+#include "checked/slide/by_slide.hpp"
 #include "reference/chains/near_point.hpp"
 #include "reference/definitions/exact_box.hpp"
 #include "tests/bench/engine.hpp"
@@ -48,11 +48,7 @@ constexpr std::size_t places = 10000;
 
 /// A pair's no-fit polygon, and places in the box around it.
 struct Asked {
-  explicit Asked(const Summands& pair)
-      : no_fit(
-            oplus::no_fit(pair.p, pair.q, [](const Region& p, const Region& q, Boundary boundary) {
-              return slide_sum(p, q, boundary).sum;
-            })) {
+  explicit Asked(const Summands& pair) : no_fit(oplus::no_fit(pair.p, pair.q, by_slide)) {
     const ExactBox box = box_around(edges(no_fit));
     std::mt19937 random(1);
     const auto share = [&] { return Rational(random() >> 12, 1U << 20); };

@@ -4,7 +4,6 @@
 #include <random>
 
 #include "checked/arrangement/hole_test.hpp"
-#include "reference/families/fork.hpp"
 #include "reference/families/pairs.hpp"
 #include "reference/families/polygons.hpp"
 #include "tests/bench/row.hpp"

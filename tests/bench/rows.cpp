@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "properties/runner/source_tree.hpp"
-#include "reference/families/fork.hpp"
 #include "reference/families/pairs.hpp"
 #include "reference/families/polygons.hpp"
 #include "reference/io/reading.hpp"

@@ -68,7 +68,7 @@ def wrong_links(site, pages):
 # From a page to one that must be linked from it; an anchor is a line of a source, which contains what follows.
 LEMMA, GRAPH = "theorems/lemma-4.1.4.html", "theorems/graph.html"
 PROOF, PROPERTY = ("source/properties/proofs/cycles/in_out_degree.v.html",
-                   "source/properties/statements/chapter4/lemma_4_1_4_in_out_degree.cpp.html")
+                   "source/properties/statements/chapter4/section_4_1_convolution_graph.cpp.html")
 CODE = "source/reference/definitions/cyclic_order.hpp.html"
 WALK = ((GRAPH, LEMMA, "", ""), (LEMMA, PROOF, "in_out_degree", "Theorem in_out_degree "), (PROOF, LEMMA, "", ""),
         (LEMMA, PROPERTY, "", ""), (PROPERTY, LEMMA, "", ""),

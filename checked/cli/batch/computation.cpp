@@ -6,11 +6,11 @@
 #include <utility>
 
 #include "checked/cli/input.hpp"
-#include "checked/cli/spacing.hpp"
+#include "checked/cli/shared_options.hpp"
 #include "checked/cli/usage_error.hpp"
 #include "checked/operations/complement.hpp"
 #include "checked/rounding/rounding.hpp"
-#include "checked/slide/slide.hpp"
+#include "checked/slide/by_slide.hpp"
 #include "reference/chains/region_of.hpp"
 #include "reference/definitions/region.hpp"
 #include "reference/io/invalid_input.hpp"
@@ -23,14 +23,10 @@ namespace {
 constexpr const char* no_fit_name = "nfp";
 constexpr const char* of_a_bug = "a bug in oplus: ";
 
-PlanarSet sum_of_regions(const Region& p, const Region& q, Boundary boundary) {
-  return slide_sum(p, q, boundary).sum;
-}
-
 }  // namespace
 
 ReadSet Computation::spaced_q(ReadSet q) const {
-  return disc ? spaced(q, *disc, sum_of_regions) : std::move(q);
+  return disc ? spaced(q, *disc, by_slide) : std::move(q);
 }
 
 bool Computation::is_sum_of_prepared() const {
@@ -44,7 +40,7 @@ Region Computation::second_summand(Region q) const {
 void Computation::add(std::string& line, const ReadSet& p, const ReadSet& q) const {
   if (!operation.takes_any_p && !is_region(p))
     throw UsageError("P has line strings or points; expected polygons, as P of " + operation.name);
-  add(line, result_of(operation, p, q, sum_of_regions));
+  add(line, result_of(operation, p, q, by_slide));
 }
 
 void Computation::add(std::string& line, const slide::PreparedSummand& p,

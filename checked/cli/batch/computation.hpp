@@ -4,7 +4,6 @@
 #include <functional>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "checked/cli/batch/results.hpp"
 #include "checked/cli/output.hpp"
@@ -24,7 +23,7 @@ struct Computation {
   ResultForm form = ResultForm::wkt;
   std::optional<OutputGrid> grid = {};  ///< of results; they are exact if empty
   std::optional<int> digits = {};       ///< of areas; they are exact if empty
-  std::optional<Region> disc = {};      ///< of Q's spacing (spacing.hpp)
+  std::optional<Region> disc = {};      ///< of Q's spacing (shared_options.hpp)
 
   /// Q, grown by the disc if there is one.
   ReadSet spaced_q(ReadSet q) const;

@@ -2,7 +2,6 @@
 #include "checked/cli/batch/geometry_lines.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <optional>
 #include <utility>
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "checked/cli/batch/interrupted.hpp"
 
+#include <unistd.h>
+
 #include <atomic>
 
 #include "checked/cli/command_line/early_ends.hpp"
@@ -12,9 +14,13 @@ namespace {
 std::atomic<int> noted = 0;
 static_assert(std::atomic<int>::is_always_lock_free);
 
+/// What is said when the signal comes.
+std::string_view message;
+
 extern "C" void note_signal(int number) {
+  if (noted != 0) end_by_signal(number);
   noted = number;
-  std::signal(number, end_by_signal);
+  [[maybe_unused]] const auto said = ::write(STDERR_FILENO, message.data(), message.size());
 }
 
 /// A signal that is ignored stays so.
@@ -29,8 +35,9 @@ void note(int number, struct sigaction& before) {
 
 }  // namespace
 
-NotedInterrupt::NotedInterrupt() {
+NotedInterrupt::NotedInterrupt(std::string_view said) {
   noted = 0;
+  message = said;
   note(SIGINT, before_of_interrupt_);
   note(SIGTERM, before_of_termination_);
 }

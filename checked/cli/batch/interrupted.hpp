@@ -2,19 +2,21 @@
 #pragma once
 
 #include <csignal>
+#include <string_view>
 
 namespace oplus {
 
 /// As long as it lives, Ctrl-C and SIGTERM are noted, so that the program can end between two lines and
-/// without leaving a temporary file. The second one ends it at once.
+/// without leaving a temporary file. The second one ends it at once. A signal that is ignored stays ignored.
 class NotedInterrupt {
  public:
-  NotedInterrupt();
+  /// The first one says this on standard error. Requires: a text that lasts.
+  explicit NotedInterrupt(std::string_view said = {});
   NotedInterrupt(const NotedInterrupt&) = delete;
   NotedInterrupt& operator=(const NotedInterrupt&) = delete;
   ~NotedInterrupt();
 
-  /// Whether there was one.
+  /// Whether there was one. Any thread may call it.
   static bool is_noted();
 
   /// Ends the program by the signal that was noted, as if nothing had noted it.

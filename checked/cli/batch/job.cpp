@@ -13,7 +13,6 @@
 #include "checked/cli/usage_error.hpp"
 #include "checked/version.hpp"
 #include "reference/io/file_text.hpp"
-#include "reference/io/invalid_input.hpp"
 #include "reference/io/quoting.hpp"
 
 namespace oplus {

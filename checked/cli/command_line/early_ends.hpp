@@ -16,4 +16,9 @@ void prepare_for_early_ends();
 /// Writes one line, removes temporary files, and ends the program with the exit code of invalid input.
 [[noreturn]] void end_without_memory() noexcept;
 
+/// Turns a crash (a failed assertion in a library, an invalid pointer) into one line on standard
+/// error and the exit code of a bug, without a core dump. Leaves signals alone that are already
+/// handled, by a sanitizer for example.
+void report_crashes();
+
 }  // namespace oplus

@@ -48,10 +48,12 @@ void Outputs::finish() {
   outputs_.clear();
 }
 
-void write_text(const std::string& path, const std::string& text) {
+void write_texts(const std::vector<OutputTo>& texts) {
   Outputs outputs;
-  outputs.write({{path, text}});
+  outputs.write(texts);
   outputs.finish();
 }
+
+void write_text(const std::string& path, const std::string& text) { write_texts({{path, text}}); }
 
 }  // namespace oplus

@@ -46,7 +46,8 @@ class Outputs {
   std::list<CommandOutput> outputs_;
 };
 
-/// Writes one, all of the text or nothing. Throws UsageError.
+/// Writes them, all or none; or one, all of the text or nothing. Throw UsageError.
+void write_texts(const std::vector<OutputTo>& texts);
 void write_text(const std::string& path, const std::string& text);
 
 }  // namespace oplus

@@ -1,6 +1,6 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Along a path, the winding number changes by the signed crossings, counted as in
-   properties/statements/chapter4/observation_4_2_5_signed_crossings.cpp. *)
+   properties/statements/chapter4/section_4_2_signed_crossings.cpp. *)
 From Coq Require Import ZArith Lia Bool List.
 From Oplus Require Import numbers winding shifted_ray small_numbers.
 Import ListNotations.

@@ -5,12 +5,23 @@
 #include <string>
 #include <vector>
 
-#include "properties/runner/statement.hpp"
-#include "properties/statements/chapter4/touching_exteriors.hpp"
+#include "properties/runner/mixture.hpp"
 #include "reference/definitions/intersection_components.hpp"
+#include "reference/definitions/region.hpp"
 #include "reference/families/family.hpp"
 
 namespace oplus {
+
+/// A point in which chains of a region touch.
+struct TouchingExteriors {
+  Point at;
+  int exteriors;  ///< at least 1
+};
+
+/// Returns the points in which chains of a valid region touch, and into how many parts the exterior
+/// around each is divided: two where a hole touches its outer chain, one where two components
+/// touch.
+std::vector<TouchingExteriors> touching_exteriors(const Region& region);
 
 /// The intersection of P and -Q+x, as Section 4.2.4 has to count it.
 struct CountedIntersection {
@@ -53,6 +64,6 @@ Outcome at_generic_placements(const Summands& summands,
                               const std::function<AtPlacement(const Summands& pair)>& of_pair);
 
 /// Pairs for statements about these intersections: many have holes that touch nothing.
-std::vector<Source> pairs_with_holes();
+Mixture pairs_with_holes();
 
 }  // namespace oplus

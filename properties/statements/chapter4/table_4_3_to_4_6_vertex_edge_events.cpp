@@ -231,7 +231,7 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "table-4.3-to-4.6",
-    .sources = pairs_with_holes(),
+    .sources = pairs_with_holes().sources,
     .promises = {{"holes", 15}, {"reflex vertices", 10}, {"parallel edges", 40}},
     .kills = {"acute-vertex-is-reflex", "flip-set-keeps-its-direction", "reflex-turns-clockwise",
               "tangent-set-without-ties"},

@@ -3,7 +3,7 @@
 
 #include "checked/operations/set_sum.hpp"
 #include "checked/operations/union_of.hpp"
-#include "checked/slide/slide.hpp"
+#include "checked/slide/by_slide.hpp"
 #include "properties/runner/registry.hpp"
 #include "properties/statements/placements/sets_meet.hpp"
 #include "reference/definitions/cut_at_intersections.hpp"
@@ -54,11 +54,8 @@ void check(const ClaimedSum& p, const ClaimedSum& q, Outcome& outcome) {
   const auto set = [](const ClaimedSum& parts) {
     return union_of(parts.region, parts.dangling_edges, parts.isolated_vertices);
   };
-  const auto sum_of = [](const Region& a, const Region& b, Boundary boundary) {
-    return slide_sum(a, b, boundary).sum;
-  };
-  const PlanarSet closed = set_sum(set(p), set(q), Boundary::closed, sum_of);
-  const PlanarSet open = set_sum(set(p), set(q), Boundary::open, sum_of);
+  const PlanarSet closed = set_sum(set(p), set(q), Boundary::closed, by_slide);
+  const PlanarSet open = set_sum(set(p), set(q), Boundary::open, by_slide);
   outcome.counts["closed sums with edges or points"] += has_edge_or_point(closed) ? 1 : 0;
   outcome.counts["open sums with edges or points"] += has_edge_or_point(open) ? 1 : 0;
   if (!edges_and_points_are_outside(closed)) {

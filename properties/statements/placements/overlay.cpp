@@ -6,8 +6,8 @@
 #include <ranges>
 #include <set>
 
-#include "properties/statements/placements/points_beside.hpp"
 #include "reference/definitions/cut_at_intersections.hpp"
+#include "reference/definitions/ray.hpp"
 
 namespace oplus {
 
@@ -45,6 +45,24 @@ std::vector<OverlaidPoint> overlaid(const std::vector<PlanarSet>& sums) {
   for (const PlanarSet& sum : sums)
     std::ranges::copy(sum.isolated_vertices, std::back_inserter(isolated));
   return overlaid_with(sums, isolated);
+}
+
+std::vector<Point> points_beside(const std::vector<Segment>& segments) {
+  std::set<Segment> pieces;
+  for (const std::vector<Segment>& of_segment : cut_at_intersections(segments)) {
+    for (const Segment& piece : of_segment)
+      pieces.insert(piece.target < piece.source ? reversed(piece) : piece);
+  }
+  std::vector<Point> points;
+  points.reserve(2 * pieces.size());
+  for (const Segment& piece : pieces) {
+    const Point middle = midpoint(piece.source, piece.target);
+    const Vector along = direction_of(piece);
+    const Vector normal{along.y, -along.x};
+    points.push_back(point_beside(middle, normal, segments));
+    points.push_back(point_beside(middle, -normal, segments));
+  }
+  return points;
 }
 
 }  // namespace oplus

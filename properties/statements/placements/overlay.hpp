@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "reference/definitions/difference.hpp"
+#include "reference/definitions/segment.hpp"
 
 namespace oplus {
 
@@ -23,5 +24,10 @@ struct OverlaidPoint {
 /// holds for these points holds for the whole plane.
 std::vector<OverlaidPoint> overlaid(const std::vector<Region>& regions);
 std::vector<OverlaidPoint> overlaid(const std::vector<PlanarSet>& sums);
+
+/// Returns, for each piece of the segments between intersections, a point in the face to either
+/// side of it. So every face of the segments' arrangement contains one of the points, and none is
+/// on a segment.
+std::vector<Point> points_beside(const std::vector<Segment>& segments);
 
 }  // namespace oplus

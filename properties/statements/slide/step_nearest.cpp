@@ -2,12 +2,11 @@
 #include "checked/distance/distance.hpp"
 #include "checked/distance/ways_out.hpp"
 #include "checked/operations/operations.hpp"
+#include "checked/slide/by_slide.hpp"
 #include "properties/runner/fitting_pairs.hpp"
 #include "properties/runner/registry.hpp"
-#include "properties/statements/operations/by_slide.hpp"
 #include "reference/definitions/exact_box.hpp"
 #include "reference/definitions/region.hpp"
-#include "reference/io/writing.hpp"
 
 namespace oplus {
 

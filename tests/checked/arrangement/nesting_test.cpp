@@ -7,7 +7,7 @@
 #include <string>
 
 #include "checked/arrangement/hole_test.hpp"
-#include "reference/families/fork.hpp"
+#include "reference/families/pairs.hpp"
 #include "tests/reference/definitions/shapes.hpp"
 
 namespace oplus {

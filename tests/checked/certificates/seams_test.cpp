@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "checked/operations/operations.hpp"
-#include "checked/slide/slide.hpp"
+#include "checked/slide/by_slide.hpp"
 #include "properties/compare/corpus.hpp"
 #include "properties/compare/grid_polygons.hpp"
 #include "reference/chains/region_of.hpp"
@@ -14,14 +14,6 @@
 
 namespace oplus::certificates {
 namespace {
-
-PlanarSet sum_of(const Region& p, const Region& q, Boundary boundary) {
-  return slide_sum(p, q, boundary).sum;
-}
-
-ClaimedSum as_given(const PlanarSet& set) {
-  return {region_of(set), set.dangling_edges, set.isolated_vertices};
-}
 
 class SeamsOfSums : public testing::Test {
  protected:
@@ -36,12 +28,12 @@ class SeamsOfSums : public testing::Test {
   }
 
   void look_at(const Region& p, const Region& q) {
-    const ClaimedSum open = as_given(sum_of(p, q, Boundary::open));
+    const ClaimedSum open = parts_of(by_slide(p, q, Boundary::open));
     look_at(open_certificate(p, q, open), open);
-    const ClaimedSum no_fit = as_given(oplus::no_fit(p, q, sum_of));
+    const ClaimedSum no_fit = parts_of(oplus::no_fit(p, q, by_slide));
     look_at(no_fit_certificate(p, q, no_fit), no_fit);
-    const ClaimedSum inner_fit = as_given(oplus::inner_fit(p, q, sum_of));
-    const Certificate of_inner_fit = inner_fit_certificate(p, q, inner_fit, sum_of);
+    const ClaimedSum inner_fit = parts_of(oplus::inner_fit(p, q, by_slide));
+    const Certificate of_inner_fit = inner_fit_certificate(p, q, inner_fit, by_slide);
     EXPECT_TRUE(of_inner_fit.outer.dangling_edges.empty());
     EXPECT_TRUE(of_inner_fit.outer.isolated_vertices.empty());
     look_at(of_inner_fit, inner_fit);
@@ -84,7 +76,7 @@ TEST_F(SeamsOfSums, of_all_families_hold) {
 
 TEST(Seams, of_an_open_set_that_is_no_sum_there_are_none) {
   const Region frame = holed(box(0, 0, 5, 5), {box(1, 1, 4, 4)}), part = polygon(box(0, 0, 3, 3));
-  ClaimedSum open = as_given(sum_of(frame, part, Boundary::open));
+  ClaimedSum open = parts_of(by_slide(frame, part, Boundary::open));
   ASSERT_EQ(open.isolated_vertices.size(), 1U);
   open_certificate(frame, part, open);
   open.isolated_vertices.clear();

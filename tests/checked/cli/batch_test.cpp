@@ -31,8 +31,7 @@ class Batch : public Shell {
 
   /// The answers of a command that succeeds, a line each.
   std::vector<Json> answers(const std::string& command, int exit_code = 0) const {
-    const Ran ran = run(command);
-    EXPECT_EQ(ran.exit_code, exit_code) << command << ran.err;
+    const Ran ran = run(command, exit_code);
     std::vector<Json> result;
     std::istringstream lines(ran.out);
     for (std::string line; std::getline(lines, line);) result.push_back(Json::parse(line));
@@ -182,8 +181,7 @@ TEST_F(Batch, an_error_is_a_line) {
                    " 1,0 0))\n{\"p\": \"" + square + "\"}\n{\"p\": 1, \"q\": 2}\n{\"p\": ]\n" +
                    R"({"id": 7, "p": {"type": "Curve"}, "q": ")" + square + "\"}\n" + square +
                    "\t" + square + "\n");
-  const Ran ran = run("oplus batch pairs -o out");
-  EXPECT_EQ(ran.exit_code, 2);
+  const Ran ran = run("oplus batch pairs -o out", 2);
   EXPECT_EQ(ran.lines_of_err(), 1) << ran.err;
   EXPECT_TRUE(has(ran.err, "oplus: 8 of 10 lines are errors, the first: pairs:1:"));
   std::istringstream lines(content("out"));
@@ -215,8 +213,7 @@ TEST_F(Batch, an_error_is_a_line) {
 TEST_F(Batch, says_what_was_turned_once) {
   const std::string clockwise = "POLYGON((0 0,0 1,1 1,1 0,0 0))";
   put("pairs", square + "\t" + clockwise + "\n" + clockwise + "\t" + square + "\n");
-  const Ran ran = run("oplus batch pairs");
-  EXPECT_EQ(ran.exit_code, 0);
+  const Ran ran = run("oplus batch pairs", 0);
   EXPECT_EQ(ran.lines_of_err(), 1);
   EXPECT_TRUE(has(ran.err,
                   "oplus: pairs:1: Q: outer chain of component 1 was clockwise; turned; "

@@ -35,16 +35,14 @@ TEST_F(CertifyCommand, says_what_verify_says_if_it_is_not_the_sum) {
 TEST_F(CertifyCommand, chains_that_touch_themselves_and_vertices_in_lines) {
   put("corner.wkt", "MULTIPOLYGON (((0 0, 1 0, 1 1, 0 1, 0 0)), ((2 2, 3 2, 3 3, 2 3, 2 2)))");
   put("eight.wkt", "POLYGON ((0 0, 1 0, 2 0, 2 2, 4 2, 4 4, 2 4, 2 2, 0 2, 0 0))");
-  const Ran ran = run("oplus certify corner.wkt square.wkt eight.wkt -o one");
-  EXPECT_EQ(ran.exit_code, 0) << ran.err;
+  const Ran ran = run("oplus certify corner.wkt square.wkt eight.wkt -o one", 0);
   EXPECT_TRUE(has(ran.err, "1 chain touches itself"));
   EXPECT_TRUE(files().contains("one"));
 }
 
 TEST_F(CertifyCommand, a_vertex_may_not_repeat_the_one_before) {
   put("s.wkt", "POLYGON ((0 0, 0 0, 5 0, 5 5, 0 5, 0 0), (2 2, 2 3, 3 3, 3 2, 2 2))");
-  const Ran ran = run("oplus certify frame.wkt square.wkt s.wkt -o one --quiet");
-  EXPECT_EQ(ran.exit_code, 2);
+  const Ran ran = run("oplus certify frame.wkt square.wkt s.wkt -o one --quiet", 2);
   EXPECT_TRUE(has(ran.err, "S has the vertex (0, 0) twice in a row"));
   EXPECT_FALSE(files().contains("one"));
 }
@@ -56,7 +54,7 @@ TEST_F(CertifyCommand, writes_what_sum_writes_of_the_same_open_sum) {
   EXPECT_TRUE(has(content("one"), " point 0 "));
   expect_output("oplus certify frame.wkt part.wkt open.wkt --open", content("one"));
   put("closed.wkt", "POLYGON ((0 0, 6 0, 6 6, 0 6, 0 0))");
-  EXPECT_EQ(run("oplus certify frame.wkt part.wkt closed.wkt -o two").exit_code, 0);
+  run("oplus certify frame.wkt part.wkt closed.wkt -o two", 0);
   const Ran verified = run("oplus verify frame.wkt part.wkt closed.wkt --open");
   expect_output("oplus certify frame.wkt part.wkt closed.wkt --open", verified.out, 1);
 }
@@ -74,15 +72,14 @@ TEST_F(CertifyCommand, of_places) {
 TEST_F(CertifyCommand, of_a_layout_that_is_right) {
   put("bin.wkt", "POLYGON ((0 0, 6 0, 6 4, 0 4, 0 0))");
   put("parts.wkt", "POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))\nPOLYGON ((2 0, 4 0, 4 2, 2 2, 2 0))\n");
-  EXPECT_EQ(run("oplus layout parts.wkt --container bin.wkt --certificate one").exit_code, 0);
+  run("oplus layout parts.wkt --container bin.wkt --certificate one", 0);
   EXPECT_EQ(content("one"),
             "oplus certificate 2\nclaim layout\nunit 1\n"
             "container\npoints 0\npieces 4\n0 4 5 3\n1 7 4 0\n2 3 5 6\n2 6 7 1\n"
             "part 0\npoints 0\npieces 1\n0 1 2 3\npart 1\npoints 0\npieces 1\n0 1 2 3\nend\n");
-  EXPECT_EQ(run("oplus layout parts.wkt --certificate two").exit_code, 0);
+  run("oplus layout parts.wkt --certificate two", 0);
   EXPECT_TRUE(has(content("two"), "\ncontainer\npoints 0\npieces 0\npart 0\n"));
-  const Ran wrong = run("oplus layout parts.wkt --container frame.wkt --certificate three");
-  EXPECT_EQ(wrong.exit_code, 1);
+  const Ran wrong = run("oplus layout parts.wkt --container frame.wkt --certificate three", 1);
   EXPECT_TRUE(has(wrong.err, "there is no certificate of a layout that is wrong"));
   EXPECT_FALSE(files().contains("three"));
 }
@@ -98,8 +95,7 @@ TEST_F(CertifyCommand, of_results_of_other_kinds_there_are_none) {
         "ifp frame.wkt empty.wkt", "layout parts.wkt --spacing 1", "layout parts.wkt --margin 1",
         "layout parts.wkt --tolerance 1", "layout parts.wkt --defects defect.wkt"}) {
     SCOPED_TRACE(command);
-    const Ran ran = run("oplus " + command + " --certificate one --quiet");
-    EXPECT_EQ(ran.exit_code, 2);
+    const Ran ran = run("oplus " + command + " --certificate one --quiet", 2);
     EXPECT_TRUE(has(ran.err, "--certificate is for "));
     EXPECT_EQ(ran.lines_of_err(), 1);
     EXPECT_EQ(ran.out, "");
@@ -116,8 +112,7 @@ TEST_F(CertifyCommand, the_page_shows_what_its_commands_print) {
 }
 
 TEST_F(CertifyCommand, two_outputs_to_one_place) {
-  const Ran ran = run("oplus sum frame.wkt square.wkt -o one.wkt --certificate one.wkt");
-  EXPECT_EQ(ran.exit_code, 2);
+  const Ran ran = run("oplus sum frame.wkt square.wkt -o one.wkt --certificate one.wkt", 2);
   EXPECT_TRUE(has(ran.err, "two outputs would go to one.wkt"));
 }
 

@@ -7,8 +7,7 @@ namespace {
 class Disc : public Shell {};
 
 TEST_F(Disc, says_how_many_vertices_it_has) {
-  const Ran ran = run("oplus disc --radius 100 --error 1 --outside -o disc.dat");
-  EXPECT_EQ(ran.exit_code, 0);
+  const Ran ran = run("oplus disc --radius 100 --error 1 --outside -o disc.dat", 0);
   EXPECT_TRUE(has(ran.err, "a polygon of 24 vertices around the disc")) << ran.err;
   EXPECT_EQ(content("disc.dat").substr(0, 3), "24\n");
 }

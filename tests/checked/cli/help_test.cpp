@@ -27,14 +27,12 @@ TEST_F(Help, every_example_works_when_copied) {
   for (const std::string command :
        {"", "sum", "compare", "verify", "certify", "draw", "batch", "batch merge", "reflect",
         "repair", "disc", "transform", "layout", "gen", "distance", "depth", "nfp"}) {
-    const Ran help = run("oplus " + command + " --help");
-    EXPECT_EQ(help.exit_code, 0);
+    const Ran help = run("oplus " + command + " --help", 0);
     EXPECT_EQ(help.err, "");
     const std::vector<std::string> commands = example(help.out);
     EXPECT_GE(commands.size(), 3U) << help.out;
     for (const std::string& line : commands) {
-      const Ran ran = run(line);
-      EXPECT_EQ(ran.exit_code, 0) << line << "\n" << ran.err;
+      run(line, 0);
     }
   }
 }

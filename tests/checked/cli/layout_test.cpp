@@ -24,14 +24,12 @@ TEST_F(LayoutCommand, says_right_or_wrong_by_its_exit_code) {
   expect_output("oplus layout parts.wkt --container bin.wkt", "right\n" + container);
   for (const std::string options : {"--container small.wkt", "--spacing 1e-12",
                                     "--defects defect.wkt", "--container bin.wkt --margin 1e-12"}) {
-    const Ran ran = run("oplus layout parts.wkt " + options);
-    EXPECT_EQ(ran.exit_code, 1) << options;
+    const Ran ran = run("oplus layout parts.wkt " + options, 1);
     EXPECT_EQ(ran.out.substr(0, 7), "wrong: ") << options;
   }
-  EXPECT_EQ(run("oplus layout wrong.wkt").exit_code, 1);
-  EXPECT_EQ(run("oplus layout wrong.wkt --tolerance 0.999").exit_code, 1);
-  const Ran forgiven = run("oplus layout wrong.wkt --tolerance 1");
-  EXPECT_EQ(forgiven.exit_code, 0);
+  run("oplus layout wrong.wkt", 1);
+  run("oplus layout wrong.wkt --tolerance 0.999", 1);
+  const Ran forgiven = run("oplus layout wrong.wkt --tolerance 1", 0);
   EXPECT_TRUE(has(forgiven.out, "\n1 overlap is forgiven\n"));
 }
 
@@ -58,8 +56,7 @@ TEST_F(LayoutCommand, answers_in_json_and_in_pictures) {
   EXPECT_EQ(fault["area"], "23/12");
   EXPECT_EQ(fault["squared_depth"], "1");
   EXPECT_EQ(fault["move"], nlohmann::json({"1", "0"}));
-  const Ran drawn = run("oplus layout wrong.wkt --format svg -o wrong.svg");
-  EXPECT_EQ(drawn.exit_code, 1);
+  const Ran drawn = run("oplus layout wrong.wkt --format svg -o wrong.svg", 1);
   EXPECT_EQ(drawn.out, "");
   EXPECT_TRUE(has(content("wrong.svg"), "class=\"wrong-part\""));
   run("oplus layout parts.wkt --format svg -o right.svg");

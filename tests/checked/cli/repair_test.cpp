@@ -18,8 +18,7 @@ class RepairCommand : public Shell {
 const std::string square = "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0))\n";
 
 TEST_F(RepairCommand, says_what_it_did_and_where) {
-  const Ran ran = run("oplus repair drawn.wkt");
-  EXPECT_EQ(ran.exit_code, 0);
+  const Ran ran = run("oplus repair drawn.wkt", 0);
   EXPECT_EQ(ran.out, square);
   EXPECT_EQ(
       ran.err,
@@ -36,15 +35,13 @@ TEST_F(RepairCommand, says_what_it_did_and_where) {
 }
 
 TEST_F(RepairCommand, of_a_valid_region_does_nothing_and_says_so) {
-  const Ran ran = run("oplus repair square.wkt -o same.wkt");
-  EXPECT_EQ(ran.exit_code, 0);
+  const Ran ran = run("oplus repair square.wkt -o same.wkt", 0);
   EXPECT_EQ(ran.err, "oplus: square.wkt: nothing to repair\n");
   EXPECT_EQ(content("same.wkt"), square);
 }
 
 TEST_F(RepairCommand, answers_in_json) {
-  const Ran ran = run("oplus --quiet repair drawn.wkt -o whole.dat --json");
-  EXPECT_EQ(ran.exit_code, 0);
+  const Ran ran = run("oplus --quiet repair drawn.wkt -o whole.dat --json", 0);
   EXPECT_EQ(ran.err, "");
   const nlohmann::json answer = nlohmann::json::parse(ran.out);
   EXPECT_EQ(answer.at("count"), 4);

@@ -58,26 +58,34 @@ class Shell : public testing::Test {
                : run_by_bash(script);
   }
 
+  /// The same, and expects that exit code.
+  Ran run(const std::string& script, int exit_code) const {
+    Ran ran = run(script);
+    EXPECT_EQ(ran.exit_code, exit_code) << script << '\n' << ran.err;
+    return ran;
+  }
+
+  std::filesystem::path folder() const { return place_ / "folder"; }
+
   void put(const std::string& file, const std::string& text) const {
-    std::ofstream(place_ / "folder" / file, std::ios::binary) << text;
+    std::ofstream(folder() / file, std::ios::binary) << text;
   }
 
   std::string content(const std::string& file) const {
-    std::ifstream in(place_ / "folder" / file, std::ios::binary);
+    std::ifstream in(folder() / file, std::ios::binary);
     return {std::istreambuf_iterator<char>(in), {}};
   }
 
   std::set<std::string> files() const {
     std::set<std::string> names;
-    for (const auto& entry : std::filesystem::directory_iterator(place_ / "folder"))
+    for (const auto& entry : std::filesystem::directory_iterator(folder()))
       names.insert(entry.path().filename().string());
     return names;
   }
 
   /// Expects this on standard output, nothing on standard error, and the exit code.
   void expect_output(const std::string& script, const std::string& out, int exit_code = 0) const {
-    const Ran ran = run(script);
-    EXPECT_EQ(ran.exit_code, exit_code) << script;
+    const Ran ran = run(script, exit_code);
     EXPECT_EQ(ran.out, out) << script;
     EXPECT_EQ(ran.err, "") << script;
   }
@@ -86,8 +94,7 @@ class Shell : public testing::Test {
   /// 2, and no file left behind.
   void expect_refusal(const std::string& script, const std::string& part) const {
     const std::set<std::string> before = files();
-    const Ran ran = run(script);
-    EXPECT_EQ(ran.exit_code, 2) << script << "\n" << ran.err;
+    const Ran ran = run(script, 2);
     EXPECT_EQ(ran.out, "") << script;
     EXPECT_EQ(ran.lines_of_err(), 1) << script << "\n" << ran.err;
     EXPECT_EQ(ran.err.substr(0, 7), "oplus: ") << script;
@@ -98,8 +105,8 @@ class Shell : public testing::Test {
  private:
   Ran run_by_bash(const std::string& script) const {
     const std::filesystem::path program = program_beside("oplus");
-    put("../script", "cd '" + (place_ / "folder").string() + "'\nPATH='" +
-                         program.parent_path().string() + "':$PATH\n" + script + "\n");
+    put("../script", "cd '" + folder().string() + "'\nPATH='" + program.parent_path().string() +
+                         "':$PATH\n" + script + "\n");
     const EndedProcess ended =
         run_program({"bash", (place_ / "script").string()}, {.is_quiet = true});
     const bool has_exited = ended.how == EndedProcess::How::exited;
@@ -110,7 +117,7 @@ class Shell : public testing::Test {
     std::vector<const char*> arguments;
     for (const std::string& word : words) arguments.push_back(word.c_str());
     const std::filesystem::path before = std::filesystem::current_path();
-    std::filesystem::current_path(place_ / "folder");
+    std::filesystem::current_path(folder());
     testing::internal::CaptureStdout();
     testing::internal::CaptureStderr();
     const int exit_code = oplus::run(static_cast<int>(arguments.size()), arguments.data());

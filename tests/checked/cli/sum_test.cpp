@@ -22,8 +22,7 @@ class Sum : public ShellWithRegions {
 
 TEST_F(Sum, with_fractions_says_that_others_do_not_read_them) {
   for (const std::string format : {"wkt", "geojson"}) {
-    const Ran ran = run("oplus sum square.wkt triangle.dat --format " + format);
-    EXPECT_EQ(ran.exit_code, 0);
+    const Ran ran = run("oplus sum square.wkt triangle.dat --format " + format, 0);
     EXPECT_EQ(
         ran.err,
         "oplus: coordinates such as '4/3' are written as fractions p/q, which other programs do "
@@ -42,9 +41,8 @@ TEST_F(Sum, with_fractions_says_that_others_do_not_read_them) {
 TEST_F(Sum, is_rounded_to_a_grid_and_says_so) {
   for (const std::string option :
        {"--digits 2", "--grid 0.01", "--grid 1/100", "--grid 1e-2 --side nearest"}) {
-    const Ran ran = run("oplus sum square.wkt triangle.dat " + option);
+    const Ran ran = run("oplus sum square.wkt triangle.dat " + option, 0);
     EXPECT_EQ(ran.out, "POLYGON ((0 0, 2 0, 2 1, 1 1.33, 0 1.33, 0 0))\n");
-    EXPECT_EQ(ran.exit_code, 0);
     EXPECT_EQ(ran.err,
               "oplus: rounded to multiples of 0.01, its boundary moved by at most 0.00707107\n");
   }
@@ -68,15 +66,13 @@ TEST_F(Sum, that_is_rounded_is_valid_and_says_what_changed) {
            {"reflect notch.wkt", "; 1 component came apart\n"},
            {"sum square.wkt notch.wkt", "moved by at most 0.707107\n"},
            {"sum frame.wkt point.wkt --open -o s.geojson", "moved by at most 0.707107\n"}}) {
-    const Ran ran = run("oplus " + command + " --digits 0");
-    EXPECT_EQ(ran.exit_code, 0) << command;
+    const Ran ran = run("oplus " + command + " --digits 0", 0);
     EXPECT_EQ(ran.lines_of_err(), 1) << ran.err;
     EXPECT_TRUE(has(ran.err, expected)) << command << content("s.geojson");
     EXPECT_EQ(run("oplus --quiet " + command + " --digits 0").err, "");
-    EXPECT_EQ(run("oplus " + command + " --digits 0 >t.wkt && oplus reflect " +
-                  (command.ends_with("json") ? "s.geojson" : "t.wkt"))
-                  .exit_code,
-              0);
+    run("oplus " + command + " --digits 0 >t.wkt && oplus reflect " +
+            (command.ends_with("json") ? "s.geojson" : "t.wkt"),
+        0);
   }
 }
 
@@ -107,7 +103,7 @@ TEST_F(Sum, in_wkb_is_read_again) {
       doubled_square);
   expect_refusal("oplus sum square.wkt triangle.dat --format wkb",
                  "WKB holds doubles, and the coordinate 4/3 is not exactly one; --grid 1/1048576");
-  EXPECT_EQ(run("oplus sum square.wkt triangle.dat --format wkb --grid 1/1024").exit_code, 0);
+  run("oplus sum square.wkt triangle.dat --format wkb --grid 1/1024", 0);
 }
 
 TEST_F(Sum, takes_the_format_from_the_ending) {
@@ -137,15 +133,14 @@ TEST_F(Sum, dat_cannot_hold_low_dimensional_features) {
   expect_refusal("oplus sum frame.wkt plug.wkt --open -o s.dat", ".wkt");
   expect_refusal("oplus sum frame.wkt slider.wkt --open --format dat --svg s.svg --origins o.json",
                  ".wkt");
-  EXPECT_EQ(run("oplus sum frame.wkt plug.wkt -o s.dat").exit_code, 0);
+  run("oplus sum frame.wkt plug.wkt -o s.dat", 0);
 }
 
 TEST_F(Sum, every_engine_finds_the_same) {
   for (const std::string other : {"plug.wkt", "slider.wkt", "triangle.dat", "frame.wkt"}) {
     for (const std::string open : {"", " --open"}) {
       const std::string command = "oplus sum frame.wkt " + other + open;
-      const Ran ran = run(command + " --origins default.json");
-      EXPECT_EQ(ran.exit_code, 0) << ran.err;
+      const Ran ran = run(command + " --origins default.json", 0);
       for (const std::string how :
            {"--engine slide", "--engine rca", "--engine loops", "--engine winding",
             "--engine oracle", "--threads 0", "--threads 1", "--threads 2", "--threads 7"}) {
@@ -196,8 +191,7 @@ TEST_F(Sum, origins_are_sums_along_the_edge) {
 }
 
 TEST_F(Sum, stats_are_lines_of_name_and_value) {
-  const Ran ran = run("oplus sum frame.wkt plug.wkt --open --engine rca --stats");
-  EXPECT_EQ(ran.exit_code, 0);
+  const Ran ran = run("oplus sum frame.wkt plug.wkt --open --engine rca --stats", 0);
   for (const std::string line : {"vertices of P: 8\n",
                                  "vertices of Q: 4\n",
                                  "segments of the convolution: 24\n",
@@ -268,8 +262,8 @@ TEST_F(Sum, empty_summand) {
   for (const std::string engine : {"rca", "loops", "winding", "oracle"}) {
     const Ran ran =
         run("oplus sum empty.wkt square.wkt --open --svg s.svg --origins o.json --stats --engine " +
-            engine);
-    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+                engine,
+            0);
     EXPECT_EQ(ran.out, "POLYGON EMPTY\n");
     EXPECT_EQ(content("o.json"), "[]\n");
   }
@@ -354,12 +348,12 @@ TEST_F(Sum, a_closed_standard_output_is_not_mistaken_for_a_file) {
 }
 
 TEST_F(Sum, writes_to_a_device_and_leaves_it_one) {
-  EXPECT_EQ(run("oplus sum square.wkt square.wkt --format wkt -o /dev/null").exit_code, 0);
+  run("oplus sum square.wkt square.wkt --format wkt -o /dev/null", 0);
   EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
 }
 
 TEST_F(Sum, replaces_a_file) {
-  EXPECT_EQ(run("oplus sum square.wkt square.wkt -o square.wkt").exit_code, 0);
+  run("oplus sum square.wkt square.wkt -o square.wkt", 0);
   EXPECT_EQ(content("square.wkt"), doubled_square);
 }
 

@@ -15,8 +15,7 @@ class Transform : public Shell {
 };
 
 TEST_F(Transform, says_the_exact_angle_of_a_rotation) {
-  const Ran ran = run("oplus transform l.wkt --rotate 30 --angle-error 0.001");
-  EXPECT_EQ(ran.exit_code, 0);
+  const Ran ran = run("oplus transform l.wkt --rotate 30 --angle-error 0.001", 0);
   EXPECT_TRUE(has(ran.err,
                   "rotated exactly by the angle with cosine 40545/46817 and sine 23408/46817, "
                   "29.99929342726 degrees"))

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <sstream>
 
 #include "reference/families/polygons.hpp"
 #include "tests/reference/definitions/pairs_of_shapes.hpp"

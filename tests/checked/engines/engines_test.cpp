@@ -5,7 +5,7 @@
 
 #include "checked/arrangement/hole_test.hpp"
 #include "checked/arrangement/rca.hpp"
-#include "checked/cli/engines_and_oracle.hpp"
+#include "checked/cli/shared_options.hpp"
 #include "checked/operations/image.hpp"
 #include "properties/compare/corpus.hpp"
 #include "reference/definitions/convolution.hpp"

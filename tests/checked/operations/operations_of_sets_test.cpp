@@ -7,7 +7,7 @@
 #include "checked/operations/operations.hpp"
 #include "checked/operations/set_sum.hpp"
 #include "checked/operations/union_of.hpp"
-#include "checked/slide/slide.hpp"
+#include "checked/slide/by_slide.hpp"
 #include "properties/statements/placements/sets_meet.hpp"
 #include "reference/chains/region_of.hpp"
 #include "reference/definitions/collision.hpp"
@@ -20,16 +20,8 @@
 namespace oplus {
 namespace {
 
-PlanarSet by_slide(const Region& p, const Region& q, Boundary boundary) {
-  return slide_sum(p, q, boundary).sum;
-}
-
 PlanarSet union_in(const ClaimedSum& parts) {
   return union_of(parts.region, parts.dangling_edges, parts.isolated_vertices);
-}
-
-ClaimedSum parts_of(const PlanarSet& set) {
-  return {region_of(set), set.dangling_edges, set.isolated_vertices};
 }
 
 ClaimedSum minus(const ClaimedSum& set) { return reflected_to({0, 0}, set); }

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "checked/operations/union_of.hpp"
-#include "checked/slide/slide.hpp"
+#include "checked/slide/by_slide.hpp"
 #include "properties/statements/placements/sets_meet.hpp"
 #include "reference/definitions/difference.hpp"
 #include "reference/families/family.hpp"
@@ -17,10 +17,6 @@ namespace {
 PlanarSet set(const std::string& text) {
   const ReadSet read = read_set(text, "text");
   return union_of(read.region, read.segments, read.points);
-}
-
-PlanarSet sum_by_slide(const Region& p, const Region& q, Boundary boundary) {
-  return slide_sum(p, q, boundary).sum;
 }
 
 const std::string square = "POLYGON((0 0,1 0,1 1,0 1,0 0))";
@@ -36,8 +32,8 @@ std::size_t expect_sums_of_the_definition(const ClaimedSum& p, const ClaimedSum&
   const auto value = [](const ClaimedSum& parts) {
     return union_of(parts.region, parts.dangling_edges, parts.isolated_vertices);
   };
-  const PlanarSet closed = set_sum(value(p), value(q), Boundary::closed, sum_by_slide);
-  const PlanarSet open = set_sum(value(p), value(q), Boundary::open, sum_by_slide);
+  const PlanarSet closed = set_sum(value(p), value(q), Boundary::closed, by_slide);
+  const PlanarSet open = set_sum(value(p), value(q), Boundary::open, by_slide);
   const std::vector<Point> points = points_of_cells(p, q);
   for (const Point& x : points) {
     const ClaimedSum placed = reflected_to(x, q);

@@ -2,19 +2,15 @@
 #include <gtest/gtest.h>
 
 #include "checked/oplus/oplus.hpp"
+#include "tests/reference/io/refusal.hpp"
 
 namespace oplus {
 namespace {
 
 const ValidRegion square = polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
 
-std::string refusal(const ClaimedSum& given) {
-  try {
-    certify(square, square, given);
-  } catch (const InvalidInput& error) {
-    return error.what();
-  }
-  return "";
+std::string refusal_of(const ClaimedSum& given) {
+  return refusal([&] { certify(square, square, given); });
 }
 
 TEST(Certify, a_certificate_of_the_sum) {
@@ -47,12 +43,12 @@ TEST(Certify, points_are_written_in_lowest_terms) {
 }
 
 TEST(Certify, what_is_not_the_sum_is_refused_with_the_reason) {
-  EXPECT_TRUE(refusal({square.region(), {}, {}}).starts_with("S: it is not the sum: "));
+  EXPECT_TRUE(refusal_of({square.region(), {}, {}}).starts_with("S: it is not the sum: "));
   ClaimedSum with_point = {minkowski_sum(square, square).region().region(), {}, {{5, 5}}};
   EXPECT_TRUE(
-      refusal(with_point).starts_with("S: it is not the sum: additional isolated vertex: "));
+      refusal_of(with_point).starts_with("S: it is not the sum: additional isolated vertex: "));
   with_point.isolated_vertices.push_back({7, 8});
-  EXPECT_NE(refusal(with_point).find("at (5, 5)"), std::string::npos) << refusal(with_point);
+  EXPECT_NE(refusal_of(with_point).find("at (5, 5)"), std::string::npos) << refusal_of(with_point);
 }
 
 TEST(Certify, sums_of_closed_regions_and_of_their_interiors) {
@@ -73,7 +69,8 @@ TEST(Certify, sums_of_closed_regions_and_of_their_interiors) {
 TEST(Certify, a_vertex_may_not_repeat_the_one_before) {
   ClaimedSum given;
   given.region.components = {{{{0, 0}, {0, 0}, {2, 0}, {2, 2}, {0, 2}}, {}}};
-  EXPECT_EQ(refusal(given), "S: the vertex (0, 0) twice in a row; expected an edge between them");
+  EXPECT_EQ(refusal_of(given),
+            "S: the vertex (0, 0) twice in a row; expected an edge between them");
 }
 
 TEST(Certify, summands_are_bounded) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "checked/oplus/cgal.hpp"
+#include "tests/reference/io/refusal.hpp"
 
 #include <CGAL/CORE_Expr.h>
 #include <CGAL/Cartesian.h>
@@ -93,12 +94,7 @@ Polygon polygon_of(const std::vector<std::array<int, 2>>& points) {
 }
 
 std::string message_of(const auto& polygons) {
-  try {
-    from_cgal(polygons);
-    return "accepted";
-  } catch (const InvalidInput& error) {
-    return error.what();
-  }
+  return refusal([&] { from_cgal(polygons); });
 }
 
 TEST(FromCgal, takes_polygons_and_ranges_of_them) {

@@ -6,9 +6,9 @@
 #include <limits>
 #include <random>
 #include <utility>
-#include <vector>
 
 #include "checked/oplus/oplus.hpp"
+#include "tests/reference/io/refusal.hpp"
 
 namespace oplus {
 namespace {
@@ -16,11 +16,7 @@ namespace {
 /// What refuses a value says.
 template <typename T>
 std::string message_of(const T& value) {
-  try {
-    return "accepted: " + Number(value).value().get_str();
-  } catch (const InvalidInput& error) {
-    return error.what();
-  }
+  return refusal([&] { Number{value}; });
 }
 
 Rational power_of_two(int exponent) {

@@ -3,7 +3,6 @@
 
 #include <thread>
 #include <type_traits>
-#include <utility>
 
 #include "checked/oplus/oplus.hpp"
 

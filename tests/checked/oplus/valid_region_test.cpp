@@ -7,19 +7,10 @@
 #include <utility>
 
 #include "checked/oplus/oplus.hpp"
+#include "tests/reference/io/refusal.hpp"
 
 namespace oplus {
 namespace {
-
-template <typename Call>
-std::string message_of(const Call& call) {
-  try {
-    call();
-    return "accepted";
-  } catch (const InvalidInput& error) {
-    return error.what();
-  }
-}
 
 const Chain square = {{0, 0}, {4, 0}, {4, 4}, {0, 4}};
 const Chain hole = {{1, 1}, {1, 3}, {3, 3}, {3, 1}};
@@ -50,12 +41,12 @@ TEST(ValidRegion, brings_coordinates_into_lowest_terms) {
   region.components[0].outer[2].x.get_den() = 2;
   EXPECT_EQ(ValidRegion(region), ValidRegion(Region{{{square, {}}}}));
   region.components[0].outer[2].x.get_den() = 0;
-  EXPECT_EQ(message_of([&] { ValidRegion{region}; }),
+  EXPECT_EQ(refusal([&] { ValidRegion{region}; }),
             "coordinate: the denominator is zero; expected a rational number");
 }
 
 TEST(ValidRegion, names_what_is_invalid) {
-  const auto said = [](const Region& region) { return message_of([&] { ValidRegion{region}; }); };
+  const auto said = [](const Region& region) { return refusal([&] { ValidRegion{region}; }); };
   const std::vector<std::pair<Region, std::string>> cases = {
       {{{{{}, {}}}}, "vertices"},
       {{{{{{0, 0}, {1, 0}}, {}}}}, "vertices"},
@@ -87,7 +78,7 @@ TEST(Polygon, is_a_valid_region) {
             (Region{{{square, {hole}}}}));
   EXPECT_EQ(polygon({{0, 0}, {0.5, "1/3"}, {Rational(0), 1U}}).components()[0].outer,
             (Chain{{0, 0}, {Rational(1, 2), Rational(1, 3)}, {0, 1}}));
-  EXPECT_EQ(message_of([] { polygon({{0, 0}, {2, 2}, {2, 0}, {0, 2}}); }).find("region: "), 0U);
+  EXPECT_EQ(refusal([] { polygon({{0, 0}, {2, 2}, {2, 0}, {0, 2}}); }).find("region: "), 0U);
 }
 
 TEST(Polygon, takes_points_of_any_range) {
@@ -113,11 +104,11 @@ TEST(Reading, takes_the_union_of_what_overlaps_where_asked_to) {
 }
 
 TEST(Reading, takes_its_own_format_only) {
-  EXPECT_EQ(message_of([] { read_wkt("POLYGON((0 0,1 0,\n0 1)"); }).find("WKT:2:"), 0U);
-  EXPECT_EQ(message_of([] { read_wkt("POLYGON((0 0,2 2,2 0,0 2,0 0))"); }).find("WKT:1"), 0U);
-  EXPECT_EQ(message_of([] { read_geojson("POLYGON((0 0,1 0,0 1,0 0))"); }).find("GeoJSON:1:1"), 0U);
-  EXPECT_EQ(message_of([] { read_wkt("3 0 0 1 0 0 1"); }).find("WKT:1:1"), 0U);
-  EXPECT_EQ(message_of([] { read_wkt(""); }).find("WKT:1"), 0U);
+  EXPECT_EQ(refusal([] { read_wkt("POLYGON((0 0,1 0,\n0 1)"); }).find("WKT:2:"), 0U);
+  EXPECT_EQ(refusal([] { read_wkt("POLYGON((0 0,2 2,2 0,0 2,0 0))"); }).find("WKT:1"), 0U);
+  EXPECT_EQ(refusal([] { read_geojson("POLYGON((0 0,1 0,0 1,0 0))"); }).find("GeoJSON:1:1"), 0U);
+  EXPECT_EQ(refusal([] { read_wkt("3 0 0 1 0 0 1"); }).find("WKT:1:1"), 0U);
+  EXPECT_EQ(refusal([] { read_wkt(""); }).find("WKT:1"), 0U);
 }
 
 TEST(Reading, tells_the_formats_of_files_apart) {
@@ -130,9 +121,9 @@ TEST(Reading, tells_the_formats_of_files_apart) {
     EXPECT_EQ(read_file(path), polygon(square)) << text;
   }
   std::ofstream(path) << "POLYGON((0 0,4 0)";
-  EXPECT_EQ(message_of([&] { read_file(path); }).find(path + ":1:"), 0U);
+  EXPECT_EQ(refusal([&] { read_file(path); }).find(path + ":1:"), 0U);
   std::filesystem::remove(path);
-  EXPECT_EQ(message_of([&] { read_file(path); }).find(path), 0U);
+  EXPECT_EQ(refusal([&] { read_file(path); }).find(path), 0U);
 }
 
 TEST(ValidRegion, is_reflected_by_a_minus) {

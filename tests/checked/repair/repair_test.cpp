@@ -9,7 +9,7 @@
 #include "reference/chains/validity.hpp"
 #include "reference/families/rich_regions.hpp"
 #include "reference/io/writing.hpp"
-#include "tests/reference/io/from_text.hpp"
+#include "tests/reference/definitions/shapes.hpp"
 
 namespace oplus {
 namespace {

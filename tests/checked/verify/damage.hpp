@@ -12,7 +12,6 @@
 #include "reference/definitions/claimed_sum.hpp"
 #include "reference/definitions/difference.hpp"
 #include "reference/definitions/ray.hpp"
-#include "reference/definitions/winding_number.hpp"
 #include "tests/reference/definitions/shapes.hpp"
 
 namespace oplus {

@@ -6,6 +6,7 @@
 #include "checked/slide/slide.hpp"
 #include "reference/chains/region_of.hpp"
 #include "reference/definitions/collision.hpp"
+#include "reference/definitions/winding_number.hpp"
 #include "reference/families/family.hpp"
 #include "tests/checked/verify/damage.hpp"
 #include "tests/reference/definitions/print.hpp"
@@ -81,7 +82,7 @@ TEST(DamagedSums, are_told_with_the_right_reason) {
       const auto [p, q] = generate(family, n, seed);
       for (const Boundary boundary : {Boundary::closed, Boundary::open}) {
         const PlanarSet sum = slide_sum(p, q, boundary).sum;
-        const ClaimedSum whole{region_of(sum), sum.dangling_edges, sum.isolated_vertices};
+        const ClaimedSum whole = parts_of(sum);
         ASSERT_TRUE(verify(p, q, boundary, whole).is_sum()) << family.name << ' ' << seed;
         if (boundary == Boundary::open && !has_features(sum)) continue;  // as the closed one
         for (const Damage& damage : damages()) {

@@ -22,12 +22,13 @@ class DiffCommand : public Shell {
     put("frame.dat", "4\n0 0\n4 0\n4 4\n0 4\n1\n4\n1 1\n1 3\n3 3\n3 1\n");
   }
 
-  Ran diff(const std::string& options) { return run("oplus-check diff " + options); }
+  Ran diff(const std::string& options, int exit_code) {
+    return run("oplus-check diff " + options, exit_code);
+  }
 };
 
 TEST_F(DiffCommand, compares_pairs_and_says_what_ran_and_where_the_report_is) {
-  const Ran ran = diff("--pair frame.dat square.dat --pair square.dat square.dat");
-  EXPECT_EQ(ran.exit_code, 0) << ran.err;
+  const Ran ran = diff("--pair frame.dat square.dat --pair square.dat square.dat", 0);
   EXPECT_TRUE(has(ran.out,
                   "2 cases run, each closed and open, 0 skipped, 0 with a "
                   "disagreement\n"
@@ -42,36 +43,33 @@ TEST_F(DiffCommand, compares_pairs_and_says_what_ran_and_where_the_report_is) {
 
 TEST_F(DiffCommand, makes_the_folder_of_counterexamples_and_no_other) {
   const std::string pair = "--pair frame.dat square.dat ";
-  EXPECT_EQ(diff(pair + "--out new/folder/").exit_code, 0);
+  diff(pair + "--out new/folder/", 0);
   EXPECT_TRUE(has(content("new/folder/diff.json"), "frame.dat"));
-  EXPECT_EQ(diff(pair + "--out other --report ./other/r.md").exit_code, 0);
-  EXPECT_EQ(diff(pair + "--report none/r.md").exit_code, 2);
+  diff(pair + "--out other --report ./other/r.md", 0);
+  diff(pair + "--report none/r.md", 2);
   EXPECT_FALSE(files().contains("none"));
 }
 
 TEST_F(DiffCommand, says_what_hole_tests_were_asked) {
   const std::string pair = "--pair frame.dat square.dat";
-  const Ran all = diff(pair);
+  const Ran all = diff(pair, 0);
   // One hole; closed and open; rca and loops.
   EXPECT_TRUE(has(all.out, "all hole tests gave the same answer 4 times about a face, "));
-  const Ran ray = diff(pair + " --engine loops --collision-test ray");
+  const Ran ray = diff(pair + " --engine loops --collision-test ray", 0);
   EXPECT_TRUE(has(ray.out, "the hole test ray was asked 2 times about a face, "));
-  EXPECT_EQ(diff(pair + " --collision-test none").exit_code, 2);
+  diff(pair + " --collision-test none", 2);
 }
 
 TEST_F(DiffCommand, counts_what_it_skips_and_does_not_pass_with_nothing_compared) {
-  const Ran ran = diff("--pair frame.dat square.dat --largest 5");
-  EXPECT_EQ(ran.exit_code, 2);
+  const Ran ran = diff("--pair frame.dat square.dat --largest 5", 2);
   EXPECT_TRUE(has(ran.out, "skipped: frame.dat square.dat: its convolution has"));
   EXPECT_TRUE(has(ran.out, "0 cases run, each closed and open, 1 skipped"));
 }
 
 TEST_F(DiffCommand, compares_with_the_judge_that_is_named) {
   const std::string pairs = "--family tight --cases 6 --engine slide --report ";
-  const Ran by_oracle = diff(pairs + "oracle.json");
-  const Ran by_convex_parts = diff(pairs + "convex.json --judge convex-parts");
-  EXPECT_EQ(by_oracle.exit_code, 0) << by_oracle.err;
-  EXPECT_EQ(by_convex_parts.exit_code, 0) << by_convex_parts.err;
+  const Ran by_oracle = diff(pairs + "oracle.json", 0);
+  const Ran by_convex_parts = diff(pairs + "convex.json --judge convex-parts", 0);
   EXPECT_TRUE(has(by_oracle.out, "compared with the oracle:\n"));
   EXPECT_TRUE(has(by_convex_parts.out, "compared with the sum of convex parts:\n"));
   const auto one = nlohmann::json::parse(content("oracle.json"));
@@ -80,14 +78,14 @@ TEST_F(DiffCommand, compares_with_the_judge_that_is_named) {
   EXPECT_EQ(one.at("campaign").at("judge"), "oracle");
   EXPECT_EQ(other.at("campaign").at("judge"), "convex-parts");
   EXPECT_LT(one.at("campaign").at("largest"), other.at("campaign").at("largest"));
-  EXPECT_EQ(diff(pairs + "no.json --judge nobody").exit_code, 2);
+  diff(pairs + "no.json --judge nobody", 2);
 }
 
 TEST_F(DiffCommand, compares_an_operation_with_its_definition) {
   const Ran ran = diff(
       "--operation ifp --pair frame.dat square.dat --family tight --cases 10 --engine slide --engine "
-      "loops");
-  EXPECT_EQ(ran.exit_code, 0) << ran.err;
+      "loops",
+      0);
   EXPECT_TRUE(has(ran.out, "compared with the definition of ifp:\n"));
   EXPECT_TRUE(
       has(ran.out, "11 cases run, one value of ifp each, 0 skipped, 0 with a disagreement\n"));
@@ -102,15 +100,12 @@ TEST_F(DiffCommand, compares_operations_of_unbounded_regions) {
   put("outside.dat", "0\n1\n4\n0 0\n0 4\n4 4\n4 0\n");
   for (const char* operation : {"nfp", "ifp", "erode", "open", "close", "complement", "union",
                                 "closed-sum", "rounded-sum"}) {
-    const Ran ran =
-        diff(std::string("--pair outside.dat square.dat --engine slide --operation ") + operation);
-    EXPECT_EQ(ran.exit_code, 0) << operation << ran.err;
+    diff(std::string("--pair outside.dat square.dat --engine slide --operation ") + operation, 0);
     const auto report = nlohmann::json::parse(content("oplus-findings/diff.json"));
     EXPECT_EQ(report.at("all").at("values").contains("unbounded"),
               operation != std::string("complement"));
   }
-  const Ran sum = diff("--pair outside.dat square.dat");
-  EXPECT_EQ(sum.exit_code, 2);
+  const Ran sum = diff("--pair outside.dat square.dat", 2);
   EXPECT_TRUE(has(sum.err, "unbounded")) << sum.err;
 }
 
@@ -119,12 +114,11 @@ TEST_F(DiffCommand, finds_an_operation_by_a_wrong_sum_and_reproduces_it) {
     put("outside.dat", "0\n1\n4\n0 0\n0 4\n4 4\n4 0\n");
     const Ran ran = diff(std::string("--operation nfp --engine 'exec:cat {p} # {boundary}' "
                                      "--shrink-tries 20 --pair ") +
-                         pair);
-    EXPECT_EQ(ran.exit_code, 1) << ran.err;
+                             pair,
+                         1);
     EXPECT_TRUE(has(ran.out, "disagreement on nfp, found in ")) << ran.out;
     EXPECT_TRUE(has(ran.out, "the first is the definition of nfp: "));
-    const Ran again = run(last_line_after(ran.out, "  reproduce: "));
-    EXPECT_EQ(again.exit_code, 1) << again.err;
+    const Ran again = run(last_line_after(ran.out, "  reproduce: "), 1);
     EXPECT_EQ(last_line_after(again.out, " vertices: "), last_line_after(ran.out, " vertices: "));
   }
 }
@@ -133,48 +127,41 @@ TEST_F(DiffCommand, a_sum_that_an_operation_cannot_use_is_a_failure_of_the_engin
   put("outside.dat", "0\n1\n4\n0 0\n0 4\n4 4\n4 0\n");
   const Ran ran = diff(
       "--operation nfp --engine 'exec:echo POLYGON EMPTY # {p} {boundary}' --shrink-tries 5 --pair "
-      "outside.dat square.dat");
-  EXPECT_EQ(ran.exit_code, 1) << ran.err;
+      "outside.dat square.dat",
+      1);
   EXPECT_TRUE(has(ran.out, "unreadable: no outer chain")) << ran.out;
 }
 
 TEST_F(DiffCommand, refuses_options_that_operations_do_not_take) {
   const std::string pair = "--pair frame.dat square.dat ";
-  EXPECT_EQ(diff(pair + "--operation nonsense").exit_code, 2);
-  const Ran judge = diff(pair + "--operation ifp --judge convex-parts");
-  EXPECT_EQ(judge.exit_code, 2);
+  diff(pair + "--operation nonsense", 2);
+  const Ran judge = diff(pair + "--operation ifp --judge convex-parts", 2);
   EXPECT_TRUE(has(judge.err, "--judge convex-parts is for sums"));
-  EXPECT_EQ(diff("--operation ifp --folder .").exit_code, 2);
-  EXPECT_EQ(diff(pair + "--operation ifp --resume state.json").exit_code, 0);
-  const Ran other = diff(pair + "--operation open --resume state.json");
-  EXPECT_EQ(other.exit_code, 2);
+  diff("--operation ifp --folder .", 2);
+  diff(pair + "--operation ifp --resume state.json", 0);
+  const Ran other = diff(pair + "--operation open --resume state.json", 2);
   EXPECT_TRUE(has(other.err, R"(operation is "ifp", not "open")")) << other.err;
 }
 
 TEST_F(DiffCommand, refuses_invalid_input_and_usage) {
   put("bad.dat", "4\n0 0\n2 2\n2 0\n0 2\n");
-  const Ran bad = diff("--pair bad.dat square.dat");
-  EXPECT_EQ(bad.exit_code, 2);
+  const Ran bad = diff("--pair bad.dat square.dat", 2);
   EXPECT_TRUE(has(bad.err, "bad.dat:4:1:"));
-  EXPECT_EQ(diff("--family nonsense").exit_code, 2);
-  EXPECT_EQ(diff("--pair square.dat").exit_code, 2);
-  EXPECT_EQ(diff("--folder nowhere").exit_code, 2);
-  EXPECT_EQ(diff("--engine nonsense").exit_code, 2);
-  EXPECT_EQ(diff("--cases 0 --family grid").exit_code, 2);
+  diff("--family nonsense", 2);
+  diff("--pair square.dat", 2);
+  diff("--folder nowhere", 2);
+  diff("--engine nonsense", 2);
+  diff("--cases 0 --family grid", 2);
 }
 
 TEST_F(DiffCommand, reports_how_a_program_ends_and_skips_what_it_refuses) {
   const Ran crash =
-      diff("--pair square.dat frame.dat --engine 'exec:kill -SEGV $$ #' --shrink-tries 5");
-  EXPECT_EQ(crash.exit_code, 1);
+      diff("--pair square.dat frame.dat --engine 'exec:kill -SEGV $$ #' --shrink-tries 5", 1);
   EXPECT_TRUE(has(crash.out, "no sum\n  crashed: SIGSEGV"));
   const auto report = nlohmann::json::parse(content("oplus-findings/diff.json"));
   EXPECT_TRUE(report.at("counterexamples").contains("crashed: SIGSEGV"));
-  const Ran hang = diff(
-      "--pair square.dat frame.dat --engine 'exec:sleep 100000 #' --time-limit 0.2 --shrink 0");
-  EXPECT_EQ(hang.exit_code, 1);
-  const Ran none = diff("--pair square.dat frame.dat --engine 'exec:exit 77 #'");
-  EXPECT_EQ(none.exit_code, 2);
+  diff("--pair square.dat frame.dat --engine 'exec:sleep 100000 #' --time-limit 0.2 --shrink 0", 1);
+  const Ran none = diff("--pair square.dat frame.dat --engine 'exec:exit 77 #'", 2);
   EXPECT_TRUE(
       has(none.out,
           "skipped: square.dat frame.dat: exec:exit 77 #: it gives no reason; exec:exit 77 #: "
@@ -190,12 +177,11 @@ TEST_F(DiffCommand, reproduces_a_failure_by_the_printed_line) {
     const Ran first = diff(
         "--pair square.dat frame.dat --engine \"exec:'./my programs/sum' {p} {q}\" --time-limit 500 "
         "--report r.json --report r.md " +
-        out);
-    EXPECT_EQ(first.exit_code, 1) << first.err;
+            out,
+        1);
     const std::string line = last_line_after(first.out, "  reproduce: ");
     EXPECT_TRUE(line.starts_with("oplus-check diff ")) << line;
-    const Ran again = run(line);
-    EXPECT_EQ(again.exit_code, 1) << again.err;
+    const Ran again = run(line, 1);
     const std::string kind = last_line_after(first.out, " vertices: ");
     EXPECT_EQ(last_line_after(again.out, " vertices: "), kind);
     EXPECT_EQ(last_line_after(again.out, "they differ at"),
@@ -205,7 +191,7 @@ TEST_F(DiffCommand, reproduces_a_failure_by_the_printed_line) {
     EXPECT_TRUE(has(content("r.md"), line));
     // The picture's link is from the folder of the report.
     const std::string link = last_line_after(content("r.md"), "and the sums](<");
-    EXPECT_EQ(run("test -s \"" + link.substr(0, link.find(">)")) + "\"").exit_code, 0) << link;
+    run("test -s \"" + link.substr(0, link.find(">)")) + "\"", 0);
   }
 }
 
@@ -236,8 +222,8 @@ TEST_F(DiffCommand, interrupted_writes_what_was_compared_and_does_not_wait_for_t
         "100000 --memory-limit 0 --report r.md --report r.json --report r.xml & run=$!\n"
         "until [ -e waits ]; do kill -0 $run || exit 99; sleep 0.05; done\n"
         "kill -" +
-        signal + " $run\nwait $run");
-    EXPECT_EQ(ran.exit_code, 5) << ran.err;
+            signal + " $run\nwait $run",
+        5);
     EXPECT_TRUE(has(ran.err, "interrupted: writing the report"));
     EXPECT_TRUE(has(ran.out, "interrupted after 3 of 20 pairs: 3 cases run"));
     EXPECT_TRUE(has(content("r.md"), "interrupted after 3 of 20 pairs**"));
@@ -245,32 +231,29 @@ TEST_F(DiffCommand, interrupted_writes_what_was_compared_and_does_not_wait_for_t
     EXPECT_EQ(report.at("interrupted"), true);
     EXPECT_EQ(report.at("all").at("ran"), 3);
     EXPECT_TRUE(has(content("r.xml"), "<testcase"));
-    const Ran merged = run("oplus-check merge r.json");
-    EXPECT_EQ(merged.exit_code, 2);
+    const Ran merged = run("oplus-check merge r.json", 2);
     EXPECT_TRUE(has(merged.err, "the shard was interrupted: 3 of 20 pairs"));
   }
 }
 
 TEST_F(DiffCommand, ends_at_once_at_the_second_interrupt) {
-  const Ran ran = run(
-      "oplus gen fork --n 300 --seed 1 -o p.dat; oplus gen fork --n 300 --seed 1 --summand Q -o q.dat\n"
+  run("oplus gen fork --n 300 --seed 1 -o p.dat; oplus gen fork --n 300 --seed 1 --summand Q -o q.dat\n"
       "oplus-check diff --pair p.dat q.dat --largest 1000000000 --threads 1 2>err & run=$!\n"
       // Until it computes: it has had a fifth of a second of processor time.
       "until [ $(cut -d' ' -f14 /proc/$run/stat) -ge 20 ]; do kill -0 $run || exit 99; sleep 0.05; done\n"
       "kill -TERM $run\n"
       "until grep -q 'a second interrupt ends' err; do kill -0 $run || exit 98; sleep 0.05; done\n"
-      "kill -TERM $run; wait $run");
-  EXPECT_EQ(ran.exit_code, 128 + SIGTERM) << ran.err;
+      "kill -TERM $run; wait $run",
+      128 + SIGTERM);
   EXPECT_FALSE(files().contains("oplus-findings"));
 }
 
 TEST_F(DiffCommand, lists_other_libraries_in_its_help) {
-  const Ran help = diff("--help");
+  const Ran help = diff("--help", 0);
   for (const char* part :
        {"cgal-reduced ", "cgal-greene ", "clipper ", "boost-polygon ", "exec:CMD "})
     EXPECT_TRUE(has(help.out, std::string("\n  ") + part));
-  const Ran unknown = diff("--engine cgal-reducd --family grid");
-  EXPECT_EQ(unknown.exit_code, 2);
+  const Ran unknown = diff("--engine cgal-reducd --family grid", 2);
   EXPECT_TRUE(has(unknown.err,
                   "unknown engine 'cgal-reducd'; did you mean cgal-reduced? the engines "
                   "are all, slide, "));

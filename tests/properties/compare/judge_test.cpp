@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "reference/definitions/difference.hpp"
-#include "reference/families/fork.hpp"
+#include "reference/families/pairs.hpp"
 #include "reference/oracle/oracle.hpp"
 #include "tests/properties/compare/faulty_engines.hpp"
 

@@ -10,25 +10,24 @@ namespace {
 /// Runs oplus-check, whose exit code 1 says that something was found.
 class Merge : public Shell {
  protected:
-  Ran check(const std::string& options) { return run("oplus-check " + options); }
+  Ran check(const std::string& options, int exit_code) {
+    return run("oplus-check " + options, exit_code);
+  }
 
   /// Runs a command in three shards and in one, and merges.
   void expect_same_report(const std::string& command) {
-    ASSERT_EQ(check(command + " --report one.json").exit_code, 0);
+    check(command + " --report one.json", 0);
     for (const std::string shard : {"1", "2", "3"}) {
-      ASSERT_EQ(check(command + " --shard " + shard + "/3 --report s" + shard + ".json").exit_code,
-                0);
+      check(command + " --shard " + shard + "/3 --report s" + shard + ".json", 0);
     }
     EXPECT_NE(content("s1.json"), content("s2.json"));
-    const Ran merged = check("merge s2.json s1.json s3.json s1.json -o merged.json");
-    EXPECT_EQ(merged.exit_code, 0) << merged.err;
+    const Ran merged = check("merge s2.json s1.json s3.json s1.json -o merged.json", 0);
     EXPECT_EQ(content("merged.json"), content("one.json"));
-    EXPECT_EQ(check("merge s1.json s2.json s3.json").out, content("one.json"));
+    EXPECT_EQ(check("merge s1.json s2.json s3.json", 0).out, content("one.json"));
   }
 
   void expect_refused(const std::string& reports, const std::string& part) {
-    const Ran ran = check("merge " + reports + " -o merged.json");
-    EXPECT_EQ(ran.exit_code, 2) << ran.err;
+    const Ran ran = check("merge " + reports + " -o merged.json", 2);
     EXPECT_EQ(ran.lines_of_err(), 1) << ran.err;
     EXPECT_TRUE(has(ran.err, part));
     EXPECT_EQ(ran.out, "");
@@ -45,10 +44,10 @@ TEST_F(Merge, diff_in_shards_shows_the_first_disagreements_of_all) {
   put("nothing", "#!/bin/sh\nexit 3\n");
   const std::string command =
       "diff --engine 'exec:sh ./nothing' --family grid --cases 12 --shrink 2 --shrink-tries 1 ";
-  EXPECT_EQ(check(command + "--report one.json").exit_code, 1);
-  EXPECT_EQ(check(command + "--shard 1/2 --report s1.json").exit_code, 1);
-  EXPECT_EQ(check(command + "--shard 2/2 --report s2.json --out elsewhere").exit_code, 1);
-  EXPECT_EQ(check("merge s1.json s2.json -o merged.json").exit_code, 1);
+  check(command + "--report one.json", 1);
+  check(command + "--shard 1/2 --report s1.json", 1);
+  check(command + "--shard 2/2 --report s2.json --out elsewhere", 1);
+  check("merge s1.json s2.json -o merged.json", 1);
   EXPECT_EQ(content("merged.json"), content("one.json"));
 }
 
@@ -59,17 +58,17 @@ TEST_F(Merge, exhaustive_in_shards_is_exhaustive) {
 TEST_F(Merge, refuses_what_is_not_one_campaign) {
   const std::string command = "exhaustive --engine slide --grid 2 --vertices 4";
   for (const std::string shard : {"1", "2", "3"})
-    check(command + " --shard " + shard + "/3 --report s" + shard + ".json");
+    check(command + " --shard " + shard + "/3 --report s" + shard + ".json", 0);
   expect_refused("s1.json", "shards these are missing: 2, 3;");
   expect_refused("s1.json s2.json nowhere.json", "nowhere.json:1: cannot be read");
 
-  check("exhaustive --engine rca --grid 2 --vertices 4 --shard 3/3 --report other.json");
+  check("exhaustive --engine rca --grid 2 --vertices 4 --shard 3/3 --report other.json", 0);
   expect_refused("s1.json s2.json other.json", R"(engines is ["rca"], not ["slide"])");
-  check(command + " --shard 3/4 --report quarter.json");
+  check(command + " --shard 3/4 --report quarter.json", 0);
   expect_refused("s1.json s2.json quarter.json", "shards is 4, not 3");
-  check(command + " --judge convex-parts --shard 3/3 --report judge.json");
+  check(command + " --judge convex-parts --shard 3/3 --report judge.json", 0);
   expect_refused("s1.json s2.json judge.json", R"(judge is "convex-parts", not "oracle")");
-  check("conformance --engine slide --part corpus --shard 3/3 --report conformance.json");
+  check("conformance --engine slide --part corpus --shard 3/3 --report conformance.json", 0);
   expect_refused("s1.json s2.json conformance.json",
                  R"(report is "conformance", not "exhaustive")");
 
@@ -99,8 +98,8 @@ TEST_F(Merge, refuses_what_is_not_one_campaign) {
   put_changed([](CampaignReport& r) { r.done = 0; });
   expect_refused("s1.json s2.json different.json", "the shard was interrupted: 0 of");
 
-  EXPECT_EQ(check("merge").exit_code, 2);
-  EXPECT_EQ(check("merge s1.json s2.json s3.json -o merged.md").exit_code, 0);
+  check("merge", 2);
+  check("merge s1.json s2.json s3.json -o merged.md", 0);
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "checked/operations/operations.hpp"
-#include "properties/compare/counterexample_files.hpp"
 #include "properties/compare/report_text.hpp"
 #include "properties/compare/sources.hpp"
 #include "reference/oracle/operations_by_definition.hpp"

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <fstream>
 
 #include "properties/compare/conformance_sources.hpp"
 #include "properties/compare/grid_polygons.hpp"
@@ -19,10 +18,8 @@ TEST_F(PairsOfFolder, are_parts_and_everything_else_with_each_other) {
   for (const std::string name : {"x_part1.dat", "x_part2.dat", "a.dat", "b.dat", "lone_part1.dat"})
     put(name, "3\n0 0\n1 0\n0 1\n");
   put("readme.txt", "no polygon");
-  const std::string here = run("pwd").out;
   std::vector<std::string> names;
-  for (const Task& pair : pairs_of_folder(here.substr(0, here.size() - 1)))
-    names.push_back(pair.name);
+  for (const Task& pair : pairs_of_folder(folder())) names.push_back(pair.name);
   std::sort(names.begin(), names.end());
   EXPECT_EQ(names, (std::vector<std::string>{"a a", "a b", "a lone_part1", "b b", "b lone_part1",
                                              "lone_part1 lone_part1", "x_part1 x_part2"}));
@@ -32,8 +29,7 @@ class PartsSource : public Shell {};
 
 TEST_F(PartsSource, has_the_sum_of_each_part_and_each_reflected) {
   put("two.wkt", "POLYGON((0 0,1 0,0 1,0 0))\nPOLYGON((0 0,2 0,0 3,0 0))\n");
-  const std::string here = run("pwd").out;
-  const TaskSource source = parts_source(here.substr(0, here.size() - 1) + "/two.wkt");
+  const TaskSource source = parts_source(folder() / "two.wkt");
   EXPECT_EQ(source.part, "parts");
   EXPECT_EQ(source.name, "two");
   ASSERT_EQ(source.tasks, 4U);

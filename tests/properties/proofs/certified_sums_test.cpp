@@ -9,7 +9,7 @@
 #include "checked/certificates/certificate.hpp"
 #include "checked/certificates/layout_certificate.hpp"
 #include "checked/operations/operations.hpp"
-#include "checked/slide/slide.hpp"
+#include "checked/slide/by_slide.hpp"
 #include "properties/compare/certified_engine.hpp"
 #include "properties/compare/corpus.hpp"
 #include "properties/runner/temporary_folder.hpp"
@@ -45,10 +45,6 @@ std::string answer(const Region& p, const Region& q, const Region& s,
 /// Whether a certificate made for it can be asked about: others than those would be found invalid before.
 bool can_have_certificate(const Region& s) { return !find_defect(s).has_value(); }
 
-PlanarSet slide(const Region& p, const Region& q, Boundary boundary) {
-  return slide_sum(p, q, boundary).sum;
-}
-
 /// A set that is certified, and how its certificate is made.
 struct Claimed {
   std::string claim;
@@ -61,7 +57,7 @@ class DamagedSets : public testing::Test {
   void expect_refused(const Region& p, const Region& q, const Claimed& claimed) {
     const auto& [claim, set, certificate] = claimed;
     SCOPED_TRACE(claim);
-    const ClaimedSum whole{region_of(set), set.dangling_edges, set.isolated_vertices};
+    const ClaimedSum whole = parts_of(set);
     const std::string right = written(certificate(whole));
     const std::string said = answer(claim, p, q, whole, right);
     ASSERT_TRUE(is_certified(said)) << said;
@@ -140,10 +136,10 @@ TEST_F(DamagedSets, are_refused) {
     for (const std::uint64_t seed : {1U, 2U}) {
       SCOPED_TRACE(family.name + ", seed " + std::to_string(seed));
       const auto [p, q] = generate(family, std::min(family.typical, family.smallest + 3), seed);
-      expect_refused(p, q, {"sum", slide(p, q, Boundary::closed), [&](const ClaimedSum& s) {
+      expect_refused(p, q, {"sum", by_slide(p, q, Boundary::closed), [&](const ClaimedSum& s) {
                               return certificates::certificate(p, q, s.region);
                             }});
-      const PlanarSet open = slide(p, q, Boundary::open);
+      const PlanarSet open = by_slide(p, q, Boundary::open);
       if (has_edges_or_vertices(open) || seed == 1)
         expect_refused(p, q, {"open-sum", open, [&](const ClaimedSum& s) {
                                 return certificates::open_certificate(p, q, s);
@@ -167,13 +163,13 @@ TEST_F(DamagedSets, with_edges_and_vertices_are_refused) {
       expect_refused(p, q, {"open-sum", row.open, [&](const ClaimedSum& s) {
                               return certificates::open_certificate(p, q, s);
                             }});
-    if (const PlanarSet set = no_fit(p, q, slide); has_edges_or_vertices(set))
+    if (const PlanarSet set = no_fit(p, q, by_slide); has_edges_or_vertices(set))
       expect_refused(p, q, {"nfp", set, [&](const ClaimedSum& s) {
                               return certificates::no_fit_certificate(p, q, s);
                             }});
-    if (const PlanarSet set = inner_fit(p, q, slide); has_edges_or_vertices(set))
+    if (const PlanarSet set = inner_fit(p, q, by_slide); has_edges_or_vertices(set))
       expect_refused(p, q, {"ifp", set, [&](const ClaimedSum& s) {
-                              return certificates::inner_fit_certificate(p, q, s, slide);
+                              return certificates::inner_fit_certificate(p, q, s, by_slide);
                             }});
   }
   for (const char* name :
@@ -269,7 +265,7 @@ TEST(CertifiedSums, of_sizes_beyond_doubles_are_certified) {
       for (std::size_t i = 0; i < few.size(); ++i) {
         for (std::size_t j = 0; j < few.size(); ++j) {
           const Region p = at(few[i], place_of_p), q = at(few[j], place_of_q);
-          const Region s = region_of(slide(p, q, Boundary::closed));
+          const Region s = region_of(by_slide(p, q, Boundary::closed));
           EXPECT_TRUE(is_certified(answer(p, q, s, written(certificates::certificate(p, q, s)))))
               << i << ", placed " << &place_of_p - all << "; " << j << ", placed "
               << &place_of_q - all;

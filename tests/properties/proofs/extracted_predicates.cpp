@@ -2,9 +2,7 @@
 // Compares predicates with those that were proved and extracted (properties/proofs/extraction/), on
 // all of small domains. With mutants compiled in, it also demands that each fault is seen.
 #include <algorithm>
-#include <array>
 #include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <iostream>

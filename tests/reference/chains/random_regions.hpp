@@ -4,11 +4,10 @@
 #include <algorithm>
 #include <set>
 #include <utility>
-#include <vector>
 
 #include "reference/definitions/region.hpp"
-#include "reference/families/cells.hpp"
 #include "reference/families/random.hpp"
+#include "reference/families/rich_regions.hpp"
 
 namespace oplus {
 

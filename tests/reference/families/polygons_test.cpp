@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 #include "reference/chains/validity.hpp"
 
 namespace oplus {

@@ -7,22 +7,12 @@
 
 #include "reference/io/reading.hpp"
 #include "tests/reference/definitions/shapes.hpp"
+#include "tests/reference/io/refusal.hpp"
 
 namespace oplus {
 
 inline ReadRegion region_from(const std::string& text) { return read_region(text, "file"); }
 
 inline ReadSum sum_from(const std::string& text) { return read_sum(text, "file"); }
-
-/// The whole message with which `read` refuses, or "accepted".
-template <typename Read>
-std::string refusal(Read read) {
-  try {
-    read();
-  } catch (const InvalidInput& refused) {
-    return refused.what();
-  }
-  return "accepted";
-}
 
 }  // namespace oplus

@@ -5,6 +5,7 @@
 
 #include "reference/io/invalid_input.hpp"
 #include "tests/checked/cli/shell.hpp"
+#include "tests/reference/io/from_text.hpp"
 
 namespace oplus {
 namespace {
@@ -13,18 +14,10 @@ class RegionLines : public Shell {
  protected:
   std::string message_for(const std::string& lines) {
     put("parts.wkt", lines);
-    try {
-      read_region_lines(path());
-    } catch (const InvalidInput& e) {
-      return e.what();
-    }
-    return "none";
+    return refusal([&] { read_region_lines(path()); });
   }
 
-  std::string path() {
-    const std::string here = run("pwd").out;
-    return here.substr(0, here.size() - 1) + "/parts.wkt";
-  }
+  std::string path() const { return folder() / "parts.wkt"; }
 };
 
 TEST_F(RegionLines, are_regions_but_for_blank_ones) {

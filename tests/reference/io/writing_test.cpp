@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "reference/chains/region_of.hpp"
-#include "tests/reference/io/from_text.hpp"
+#include "tests/reference/definitions/shapes.hpp"
 
 namespace oplus {
 namespace {

@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "checked/cli/command_line/early_ends.hpp"
 
+#include <cstddef>
+#include <cstdlib>
+#include <limits>
+#include <new>
+#include <vector>
+
 #include "tests/checked/cli/shell.hpp"
 
 namespace oplus {
@@ -29,11 +35,33 @@ TEST_F(EarlyEnds, for_lack_of_memory_are_those_of_invalid_input) {
                                     "oplus verify star.wkt star.wkt star.wkt"})
     expect_refusal("ulimit -v 50000; " + command, "not enough memory");
   // Of a batch it is the error of a pair.
-  const Ran batch = run("ulimit -v 50000; oplus batch --parts star.wkt -o s.jsonl");
-  EXPECT_EQ(batch.exit_code, 2);
+  const Ran batch = run("ulimit -v 50000; oplus batch --parts star.wkt -o s.jsonl", 2);
   EXPECT_EQ(batch.lines_of_err(), 1) << batch.err;
   EXPECT_TRUE(has(batch.err, "not enough memory"));
   for (const std::string& file : files()) EXPECT_FALSE(file.ends_with(".tmp")) << file;
+}
+
+/// Throws from a noexcept function.
+void lose_an_exception() noexcept { std::vector<int>().at(0); }
+
+TEST(CrashDeathTest, becomes_a_line_and_the_exit_code_of_a_bug) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  const auto reported = "^oplus: a bug in oplus: the program crashed; please report it[^\n]*\n$";
+  EXPECT_EXIT((report_crashes(), std::abort()), testing::ExitedWithCode(3), reported);
+  EXPECT_EXIT((report_crashes(), prepare_for_early_ends(), lose_an_exception()),
+              testing::ExitedWithCode(3), reported);
+}
+
+/// The same for more memory than there is.
+void lose_memory() noexcept {
+  volatile std::size_t size = std::numeric_limits<std::ptrdiff_t>::max();
+  ::operator delete(::operator new(size));
+}
+
+TEST(CrashDeathTest, is_none_where_memory_is_missing) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  EXPECT_EXIT((report_crashes(), prepare_for_early_ends(), lose_memory()),
+              testing::ExitedWithCode(2), "^oplus: there is not enough memory for this input\n$");
 }
 
 }  // namespace

@@ -6,7 +6,6 @@
 #include <fstream>
 
 #include "properties/proofs/smt/report.hpp"
-#include "properties/runner/registry.hpp"
 #include "properties/runner/source_tree.hpp"
 
 namespace oplus::smt {
