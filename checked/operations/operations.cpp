@@ -2,15 +2,19 @@
 #include "checked/operations/operations.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "checked/operations/complement.hpp"
 #include "checked/operations/image.hpp"
+#include "checked/operations/inner_fit_in_convex.hpp"
 #include "checked/operations/unbounded_sum.hpp"
 #include "reference/chains/region_of.hpp"
 #include "reference/definitions/mutant.hpp"
 #include "reference/definitions/planar_set.hpp"
 #include "reference/definitions/region.hpp"
+#include "reference/definitions/unbounded.hpp"
 
 namespace oplus {
 
@@ -21,6 +25,31 @@ const PlanarSet& as_set(const PlanarSet& set) { return set; }
 
 Region opposite(const Region& region) { return reflected(region); }
 PlanarSet opposite(const PlanarSet& set) { return image(scaled_by(-1), set); }
+
+/// The boundary of a set that is one polygon, or null.
+const Chain* only_chain(const Region& set) {
+  const bool is_one = set.components.size() == 1 && set.components[0].holes.empty();
+  return is_one && !is_unbounded(set) ? &set.components[0].outer : nullptr;
+}
+const Chain* only_chain(const PlanarSet& set) {
+  const bool is_one = set.outer.size() == 1 && set.holes.empty() && set.dangling_edges.empty() &&
+                      set.isolated_vertices.empty();
+  return is_one && !set.is_unbounded ? &set.outer[0] : nullptr;
+}
+
+/// Points that a convex set contains iff it contains the set; none of an unbounded one.
+std::vector<Point> points_of(const Region& set) {
+  std::vector<Point> points;
+  if (!is_unbounded(set)) each_vertex(set, [&](const Point& v) { points.push_back(v); });
+  return points;
+}
+std::vector<Point> points_of(const PlanarSet& set) {
+  std::vector<Point> points;
+  if (set.is_unbounded) return points;
+  for (const Segment& e : edges(set)) points.insert(points.end(), {e.source, e.target});
+  points.insert(points.end(), set.isolated_vertices.begin(), set.isolated_vertices.end());
+  return points;
+}
 
 // Of two regions, or of two closed sets.
 
@@ -38,6 +67,11 @@ PlanarSet no_fit_of(const Set& p, const Set& q, const SumOf& sum) {
 
 template <typename Set>
 PlanarSet inner_fit_of(const Set& p, const Set& q, const SumOf& sum) {
+  if (const Chain* chain = only_chain(p)) {
+    if (const std::vector<Point> points = points_of(q); !points.empty())
+      if (std::optional<PlanarSet> fit = inner_fit_in_convex(*chain, points))
+        return *std::move(fit);
+  }
   return complement(no_fit_of(complement(p), q, sum));
 }
 

@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/functional/hash.hpp>
 #include <cmath>
 #include <cstdint>
 #include <numeric>
 #include <optional>
 #include <span>
 #include <tuple>
+#include <unordered_set>
 #include <utility>
 
 #include "checked/arithmetic/set_integer.hpp"
@@ -128,6 +130,7 @@ class ConvexSums::Search {
                   [](const EdgeAtVertex& a, const EdgeAtVertex& b) { return a.edge < b.edge; });
       }
     }
+    leave_out_copies(result);
     return result;
   }
 
@@ -176,6 +179,25 @@ class ConvexSums::Search {
 
  private:
   const SummandParts& part(Summand s) const { return parts_[static_cast<std::size_t>(s)]; }
+
+  /// Leaves out segments that are where others before them are, where doubles show it. Only edges of equal directions
+  /// have such.
+  void leave_out_copies(std::vector<EdgeAtVertex>& candidates) const {
+    if (!are_small_) return;
+    std::vector<std::size_t> edges_of_rank(2 * static_cast<std::size_t>(ranks_.half));
+    for (const SummandParts& part : parts_)
+      for (std::size_t e = 0; e < part.corners.size(); ++e)
+        ++edges_of_rank[static_cast<std::size_t>(part.lines[e].rank)];
+    std::unordered_set<std::array<double, 4>, boost::hash<std::array<double, 4>>> seen;
+    std::erase_if(candidates, [&](const EdgeAtVertex& candidate) {
+      const Line& edge = part(candidate.edge_of).lines[candidate.edge];
+      if (edges_of_rank[static_cast<std::size_t>(edge.rank)] == 1) return false;
+      const IntervalPoint from =
+          edge.from->near + part(other(candidate.edge_of)).corners[candidate.vertex].near;
+      return !seen.insert({from.x.low, from.y.low, edge.near_along.x.low, edge.near_along.y.low})
+                  .second;
+    });
+  }
 
   /// All directions and their opposites.
   void rank_directions() {

@@ -27,7 +27,8 @@ class ConvexSums {
   };
 
   /// The segments of the reduced convolution (thesis, Definition 2.3.1), by binary search among the
-  /// edges in the order of their directions; those of a vertex in the order of the edges.
+  /// edges in the order of their directions; those of a vertex in the order of the edges. Of equal ones of small
+  /// integers, one.
   /// O((n + m) log(n + m)), and O(log(n + m)) for each.
   std::vector<EdgeAtVertex> reduced_convolution() const;
 

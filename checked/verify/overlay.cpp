@@ -10,6 +10,7 @@
 #include "reference/chains/near_point.hpp"
 #include "reference/chains/swept_cells.hpp"
 #include "reference/definitions/mutant.hpp"
+#include "reference/definitions/pairwise_sum.hpp"
 #include "reference/definitions/sorted_without_copies.hpp"
 
 namespace oplus {
@@ -122,21 +123,12 @@ void walk_through_faces(const Cells& cells, const std::vector<Uses>& uses, Membe
   }
 }
 
-/// Pairwise: of fractions with unlike denominators, few sums are long.
-Rational sum(const std::vector<Rational>& values, std::size_t begin, std::size_t end) {
-  if (end - begin == 0) return 0;
-  if (end - begin == 1) return values[begin];
-  const std::size_t half = begin + (end - begin) / 2;
-  return sum(values, begin, half) + sum(values, half, end);
-}
-
 }  // namespace
 
 Rational twice_area_inside(const std::vector<Segment>& boundary) {
-  std::vector<Rational> parts;
-  parts.reserve(boundary.size());
-  for (const Segment& e : boundary) parts.push_back(cross(e.source, e.target));
-  return sum(parts, 0, parts.size());
+  PairwiseSum twice;
+  for (const Segment& e : boundary) twice.add(cross(e.source, e.target));
+  return twice.total();
 }
 
 Overlay::Overlay(const ClaimedSum& given, const PlanarSet& right) {
@@ -259,14 +251,15 @@ std::vector<Overlay::Difference> Overlay::differences() const {
     reason.in_sum = one.in_right;
     reason.in_given = one.in_given;
     Rational largest = -1;
-    std::vector<Rational> sizes;
+    PairwiseSum sizes;
     for (const std::size_t f : part.faces) {
-      sizes.push_back(twice_area_inside(faces_[f].boundary));
-      if (sizes.back() <= largest) continue;
-      largest = sizes.back();
+      Rational size = twice_area_inside(faces_[f].boundary);
+      sizes.add(size);
+      if (size <= largest) continue;
+      largest = std::move(size);
       difference.boundary = &faces_[f].boundary;
     }
-    reason.size = sum(sizes, 0, sizes.size());
+    reason.size = sizes.total();
     const bool is_all_of_given = size_in_given[one.part_of_given] == part.faces.size();
     const bool is_all_of_right = size_in_right[one.part_of_right] == part.faces.size();
     if (reason.in_given) {

@@ -389,7 +389,12 @@ void ask_collision_test(const PlanarSet& sum, Boundary boundary, const Collision
       for (const bool left : {true, false}) {
         Point x = point_near(tree, edge, left);
         bool meet = verdicts.interiors_meet_at(x);
-        if (left && !meet && boundary == Boundary::closed) {
+        const auto may_be_exceptional = [&] {
+          return left && !meet && boundary == Boundary::closed;
+        };
+        for (int attempt = 1; attempt < 3 && may_be_exceptional(); ++attempt)
+          meet = verdicts.interiors_meet_at(x = point_near(tree, edge, left, attempt));
+        if (may_be_exceptional()) {
           x = point_left_of(all[edge], all, exceptional.places());
           meet = verdicts.interiors_meet_at(x);
         }

@@ -35,9 +35,14 @@ Point point_left_of(const Segment& segment, const std::vector<Segment>& edges) {
   return point_beside(midpoint(piece.source, piece.target), {-along.y, along.x}, edges);
 }
 
+/// Of the way from the middle of an edge: not at a right angle, so that the point is hardly ever where something
+/// else is that is regular.
+double slope(int attempt) { return 0.125 + 0.171875 * attempt; }
+
 /// point_near, where doubles are exact enough. Of all segments, only the edge meets a circle around its
 /// middle, and cuts it in two. So a point in the circle is in the face on its side of the edge.
-std::optional<Point> point_near_in_doubles(const SegmentTree& edges, std::size_t edge, bool left) {
+std::optional<Point> point_near_in_doubles(const SegmentTree& edges, std::size_t edge, bool left,
+                                           int attempt) {
   const IntervalSegment& e = edges.certified(edge);
   const auto exactly = [](double x) { return Interval{x, x}; };
   const IntervalPoint middle{exactly(e.source.x.low / 2 + e.target.x.low / 2),
@@ -55,14 +60,12 @@ std::optional<Point> point_near_in_doubles(const SegmentTree& edges, std::size_t
   const double along_y = e.target.y.low - e.source.y.low;
   const double step = std::sqrt(room / (along_x * along_x + along_y * along_y)) / (left ? 4 : -4);
   if (!std::isnormal(step)) return std::nullopt;
-  // Not at a right angle, so that it is hardly ever where something else is that is regular; with few
-  // digits.
-  const int digits = std::ilogb(room) / 2 - 6;
+  const int digits = std::ilogb(room) / 2 - 6 - 9 * attempt;
   const auto at = [&](double from, double by) {
     return exactly(std::ldexp(std::nearbyint(std::ldexp(from + by, -digits)), digits));
   };
-  const IntervalPoint x{at(middle.x.low, step * (along_x / 8 - along_y)),
-                        at(middle.y.low, step * (along_y / 8 + along_x))};
+  const IntervalPoint x{at(middle.x.low, step * (along_x * slope(attempt) - along_y)),
+                        at(middle.y.low, step * (along_y * slope(attempt) + along_x))};
   const IntervalPoint way = x - middle;
   if (!((way.x * way.x + way.y * way.y).high < room / 9) ||
       orientation(e.source, e.target, x) != std::optional(left ? 1 : -1))
@@ -101,8 +104,8 @@ Point point_of_face(const std::vector<Segment>& boundary, const std::vector<Segm
   return inside;
 }
 
-Point point_near(const SegmentTree& edges, std::size_t edge, bool left) {
-  if (std::optional<Point> point = point_near_in_doubles(edges, edge, left)) return *point;
+Point point_near(const SegmentTree& edges, std::size_t edge, bool left, int attempt) {
+  if (std::optional<Point> point = point_near_in_doubles(edges, edge, left, attempt)) return *point;
   // Between two places where others touch it.
   const Segment piece = cut_where_met(edges[edge], edges)[0];
   const Point middle = midpoint(piece.source, piece.target);
@@ -110,7 +113,7 @@ Point point_near(const SegmentTree& edges, std::size_t edge, bool left) {
   if (sign(room) == 0) throw VerdictsDiffer("edges of the sum overlap at " + to_string(middle));
   const Vector along = direction_of(piece);
   const Vector beside = left ? Vector{-along.y, along.x} : Vector{along.y, -along.x};
-  Vector way = beside + Rational(1, 8) * along;
+  Vector way = beside + Rational(slope(attempt)) * along;
   while (4 * squared_length(way) > room) way = Rational(1, 2) * way;
   // Rounded by at most a fifth of the way.
   mpz_class scale = 1;

@@ -7,6 +7,7 @@
 
 #include "reference/definitions/contract.hpp"
 #include "reference/definitions/mutant.hpp"
+#include "reference/definitions/pairwise_sum.hpp"
 
 namespace oplus {
 
@@ -89,6 +90,26 @@ Chain without_collinear_vertices(const Chain& chain) {
   return corners;
 }
 
+/// Requires: the chain starts at its smallest vertex, and does not cross itself. Of all its edges there, the one
+/// furthest clockwise has the outside beside it: to its right, if the chain is counterclockwise.
+bool is_counterclockwise(const Chain& chain) {
+  Vector outermost;
+  bool leaves = false;
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    if (chain[i] != chain[0]) continue;
+    for (const bool leaving : {false, true}) {
+      const std::size_t other = leaving ? next(i, chain.size()) : previous(i, chain.size());
+      Vector way = chain[other] - chain[0];
+      const int turn = i == 0 && !leaving ? 1 : sign(cross(way, outermost));
+      if (turn < 0 || (turn == 0 && leaving)) continue;
+      outermost = std::move(way);
+      leaves = leaving;
+    }
+  }
+  OPLUS_ENSURES(leaves == (sign(twice_area(chain)) > 0), "sign of an area");
+  return leaves;
+}
+
 }  // namespace
 
 std::size_t start_of_smallest_rotation(const Chain& chain) {
@@ -114,7 +135,7 @@ PlanarSet canonical_sum(const BoundaryFeatures& features) {
     std::rotate(chain.begin(),
                 chain.begin() + static_cast<std::ptrdiff_t>(start_of_smallest_rotation(chain)),
                 chain.end());
-    (sign(twice_area(chain)) > 0 ? sum.outer : sum.holes).push_back(std::move(chain));
+    (is_counterclockwise(chain) ? sum.outer : sum.holes).push_back(std::move(chain));
   }
   std::sort(sum.outer.begin(), sum.outer.end());
   std::sort(sum.holes.begin(), sum.holes.end());
@@ -134,14 +155,14 @@ PlanarSet regularized(PlanarSet set) {
 }
 
 Rational area(const PlanarSet& sum) {
-  Rational twice = 0;
+  PairwiseSum twice;
   for (const Chain& chain : sum.outer)
     if (!OPLUS_MUTANT("area-is-of-the-first-chain",
                       "the area of a sum is that of one outer chain and the holes") ||
         &chain == &sum.outer[0])
-      twice += twice_area(chain);
-  for (const Chain& hole : sum.holes) twice += twice_area(hole);
-  return twice / 2;
+      twice.add(twice_area(chain));
+  for (const Chain& hole : sum.holes) twice.add(twice_area(hole));
+  return twice.total() / 2;
 }
 
 std::vector<Segment> edges(const PlanarSet& sum) {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "reference/definitions/common_denominator.hpp"
+#include "reference/definitions/pairwise_sum.hpp"
 #include "reference/definitions/unbounded.hpp"
 #include "reference/definitions/winding_number.hpp"
 
@@ -55,31 +56,41 @@ std::size_t vertex_count(const Region& region) {
 }
 
 Rational twice_area(const Chain& chain) {
-  // In integers: a sum of fractions would be reduced to lowest terms at each step.
-  mpz_class common = 1;
-  for (const Point& p : chain) add_denominators(common, p);
-  std::vector<mpz_class> x, y;
-  for (const Point& p : chain) {
-    x.push_back(common / p.x.get_den() * p.x.get_num());
-    y.push_back(common / p.y.get_den() * p.y.get_num());
+  // Some edges at a time in integers: a sum of fractions would be reduced to lowest terms at each step, and a
+  // denominator that all edges have in common may be as long as the chain.
+  constexpr std::size_t edges_at_a_time = 32;
+  PairwiseSum twice;
+  for (std::size_t begin = 0; begin < chain.size(); begin += edges_at_a_time) {
+    const std::size_t edges = std::min(edges_at_a_time, chain.size() - begin);
+    const auto vertex = [&](std::size_t i) -> const Point& {
+      return chain[(begin + i) % chain.size()];
+    };
+    mpz_class common = 1;
+    for (std::size_t i = 0; i <= edges; ++i) add_denominators(common, vertex(i));
+    const auto multiple = [&](const Rational& c) {
+      return mpz_class(common / c.get_den() * c.get_num());
+    };
+    mpz_class sum, x = multiple(vertex(0).x), y = multiple(vertex(0).y);
+    for (std::size_t i = 1; i <= edges; ++i) {
+      mpz_class next_x = multiple(vertex(i).x), next_y = multiple(vertex(i).y);
+      sum += x * next_y - y * next_x;
+      x.swap(next_x);
+      y.swap(next_y);
+    }
+    Rational part(sum, common * common);
+    part.canonicalize();
+    twice.add(std::move(part));
   }
-  mpz_class sum;
-  for (std::size_t i = 0; i < chain.size(); ++i) {
-    const std::size_t j = next(i, chain.size());
-    sum += x[i] * y[j] - y[i] * x[j];
-  }
-  Rational twice(sum, common * common);
-  twice.canonicalize();
-  return twice;
+  return twice.total();
 }
 
 Rational area(const Region& region) {
-  Rational twice = 0;
+  PairwiseSum twice;
   for (const Component& component : region.components) {
-    twice += twice_area(component.outer);
-    for (const Chain& hole : component.holes) twice += twice_area(hole);
+    twice.add(twice_area(component.outer));
+    for (const Chain& hole : component.holes) twice.add(twice_area(hole));
   }
-  return twice / 2;
+  return twice.total() / 2;
 }
 
 bool has_hole(const Region& region) {

@@ -9,6 +9,7 @@ inline Rational squared_length(const Vector& v) { return dot(v, v); }
 
 /// The square of the distance of x from a closed segment, which may be a point.
 inline Rational squared_distance(const Point& x, const Segment& s) {
+  if (x == s.source || x == s.target) return 0;  // cheaper than computing it
   const Vector along = direction_of(s);
   const Vector to = x - s.source;
   const Rational at = dot(along, to);

@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "checked/verify/sum_by_convex_parts.hpp"
+#include "reference/definitions/sorted_without_copies.hpp"
 #include "reference/families/family.hpp"
 #include "tests/reference/definitions/print.hpp"
 
@@ -75,6 +78,36 @@ TEST(SumByConvexParts, does_not_depend_on_the_size_of_numbers) {
     }
   }
   EXPECT_GT(features, 10U);
+}
+
+std::vector<Segment> reduced_segments(const Region& p, const Region& q) {
+  const ConvexSums sums(p, q);
+  std::vector<Segment> all;
+  for (const ConvexSums::EdgeAtVertex& candidate : sums.reduced_convolution())
+    all.push_back(sums.segment(candidate));
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+TEST(ConvexSums, leave_out_copies_of_segments_of_small_integers_and_nothing_else) {
+  std::vector<Pair> pairs = pairs_of_families(200);
+  Region stairs;
+  for (int i = 0; i < 6; ++i)
+    stairs.components.push_back({{{2 * i, 2 * i}, {2 * i + 1, 2 * i}, {2 * i + 1, 2 * i + 1}}, {}});
+  pairs.push_back({"stairs", stairs, stairs});
+  const auto third = [](const Region& region) {
+    return mapped(region, [](const Point& v) { return Rational(1, 3) * v; });
+  };
+  std::size_t copies = 0;
+  for (const auto& [name, p, q] : pairs) {
+    const std::vector<Segment> all = reduced_segments(p, q);
+    std::vector<Segment> general;
+    for (const Segment& s : reduced_segments(third(p), third(q)))
+      general.push_back({Rational(3) * s.source, Rational(3) * s.target});
+    copies += general.size() - all.size();
+    EXPECT_EQ(all, sorted_without_copies(std::move(general))) << name;
+  }
+  EXPECT_GT(copies, 50U);
 }
 
 /// On no segment of the reduced convolution (docs/findings.md, Theorem 2.3.2).

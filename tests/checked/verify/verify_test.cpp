@@ -7,6 +7,7 @@
 #include "checked/verify/witness.hpp"
 #include "properties/compare/corpus.hpp"
 #include "reference/chains/region_of.hpp"
+#include "reference/definitions/sorted_without_copies.hpp"
 #include "reference/families/family.hpp"
 #include "reference/oracle/oracle.hpp"
 #include "tests/reference/definitions/print.hpp"
@@ -133,15 +134,21 @@ TEST(Verify, a_witness_is_on_no_isolated_vertex) {
   EXPECT_TRUE(verdict.addends.has_value());
 }
 
-TEST(Verify, the_second_verdict_may_meet_an_isolated_vertex) {
-  const Rational half(1, 2);
+/// At each attempt.
+TEST(Verify, the_second_verdict_may_meet_isolated_vertices) {
+  const Rational tiny(1, 64);
   const Chain sum = box(0, 0, 6, 6);
-  const Point x = point_near(edges(sum), 0, true);
-  const Region around{
-      {{box(0, 0, 6 - half, 6 - half), {backwards(box(x.x - half, x.y - half, x.x, x.y))}}}};
-  const Region plug = polygon(box(0, 0, half, half));
+  std::vector<Point> met;
+  Region around{{{box(0, 0, 6 - tiny, 6 - tiny), {}}}};
+  for (const int attempt : {0, 1, 2}) {
+    const Point x = point_near(edges(sum), 0, true, attempt);
+    met.push_back(x);
+    around.components[0].holes.push_back(backwards(box(x.x - tiny, x.y - tiny, x.x, x.y)));
+  }
+  const Region plug = polygon(box(0, 0, tiny, tiny));
   ASSERT_EQ(sum_by_definition(around, plug, Boundary::open).isolated_vertices,
-            std::vector<Point>{x});
+            sorted_without_copies(met));
+  ASSERT_EQ(sorted_without_copies(met).size(), 3U);
   EXPECT_TRUE(verify(around, plug, Boundary::closed, {polygon(sum), {}, {}}).is_sum());
 }
 

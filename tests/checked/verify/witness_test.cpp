@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "reference/definitions/squared_distance.hpp"
 #include "reference/definitions/verdicts_differ.hpp"
 #include "tests/reference/definitions/print.hpp"
@@ -18,8 +20,9 @@ TEST(PointNear, is_beside_its_edge_and_nearer_to_it_than_to_others) {
   all.insert(all.end(), triangle.begin(), triangle.end());
   const SegmentTree tree(all);
   for (std::size_t i = 0; i < all.size(); ++i) {
-    for (const bool left : {true, false}) {
-      const Point x = point_near(tree, i, left);
+    for (const auto& [left, attempt] :
+         {std::pair(true, 0), {true, 1}, {true, 2}, {false, 0}, {false, 2}}) {
+      const Point x = point_near(tree, i, left, attempt);
       EXPECT_EQ(orientation(all[i].source, all[i].target, x), left ? 1 : -1);
       const Rational near = squared_distance(x, all[i]);
       EXPECT_GT(near, 0);

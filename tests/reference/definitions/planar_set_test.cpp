@@ -30,6 +30,40 @@ TEST(PlanarSet, chain_that_starts_where_it_touches_itself_is_the_smaller_rotatio
             (Chains{{{0, 0}, {1, 2}, {0, 2}, {0, 0}, {2, 0}, {2, 1}}}));
 }
 
+TEST(PlanarSet, hole_that_starts_where_it_touches_itself_is_no_outer_chain) {
+  const Chain hole{{0, 0}, {4, 4}, {4, -4}}, island{{0, 0}, {2, -1}, {2, 1}};
+  const Region region{{{box(-9, -9, 9, 9), {hole}}, {island, {}}}};
+  const PlanarSet sum = canonical_sum(region);
+  EXPECT_EQ(sum.outer, Chains{box(-9, -9, 9, 9)});
+  EXPECT_EQ(sum.holes, (Chains{{{0, 0}, {2, -1}, {2, 1}, {0, 0}, {4, 4}, {4, -4}}}));
+}
+
+/// Each edge times one unlike denominator or another.
+Chain long_chain(std::size_t n) {
+  Chain chain;
+  for (long i = 0; i < static_cast<long>(n); ++i) {
+    const Rational size = Rational(i * i % 101 + 7) / (3 * i % 97 + 1);
+    chain.push_back({size * (i * 37 % 61 - 30) / 7, size * 5});
+  }
+  return chain;
+}
+
+TEST(Area, of_chains_of_any_length_is_that_of_their_edges_one_by_one) {
+  for (std::size_t n = 0; n < 200; ++n) {
+    const Chain chain = long_chain(n);
+    Rational twice = 0;
+    for (const Segment& e : edges(chain)) twice += cross(e.source, e.target);
+    EXPECT_EQ(twice_area(chain), twice) << n;
+    PlanarSet chains;
+    twice = 0;
+    for (std::size_t k = 0; k < n % 20; ++k) {
+      chains.holes.push_back(long_chain(n + k));
+      twice += twice_area(chains.holes.back());
+    }
+    EXPECT_EQ(area(chains), twice / 2) << n;
+  }
+}
+
 TEST(PlanarSet, hole_touching_the_outer_chain_stays_a_chain_of_its_own) {
   const PlanarSet sum = canonical_sum(shape("hole touching the outer chain"));
   EXPECT_EQ(sum.outer, Chains{square});
