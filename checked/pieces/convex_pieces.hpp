@@ -4,13 +4,10 @@
 #include <cstdint>
 #include <vector>
 
+#include "checked/pieces/balanced_pieces.hpp"
 #include "checked/pieces/triangulation.hpp"
 
 namespace oplus::pieces {
-
-/// The numbers of its corners, counterclockwise; inner angles are at most π. One side at most has more than
-/// one flat corner. Triangles between the first corner and two that follow each other are counterclockwise.
-using ConvexPiece = std::vector<std::uint32_t>;
 
 /// A region as the union of convex pieces whose interiors are disjoint. Their edges are, as a multiset,
 /// those of the region, cut at `points`, and diagonals in both directions.
