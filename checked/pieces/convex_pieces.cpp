@@ -39,8 +39,8 @@ class MergedTriangles {
     }
   }
 
-  /// What has many more corners than a piece may have is divided in another way: without its longest diagonals it would
-  /// be fans and strips of long pieces.
+  /// What has many more convex corners than a piece may have is divided in another way: without its longest diagonals it
+  /// would be fans and strips of long pieces.
   std::vector<ConvexPiece> pieces(std::uint32_t most_corners) {
     const std::size_t many = std::size_t{4} * most_corners;
     sort_diagonals();
@@ -48,20 +48,22 @@ class MergedTriangles {
     std::vector<std::vector<Edge>> parts = boundaries();
     merge(~std::uint32_t{0});
     std::vector<ConvexPiece> result;
-    for (std::vector<Edge>& part : parts) {
-      if (corners_[piece_of(part.front() / 3)] > many) continue;
-      for (Edge& e : part) e = source_[e];
-      result.push_back(std::move(part));
-    }
-    if (result.size() == parts.size()) return result;
+    std::vector<bool> is_divided(piece_.size(), false);
     for (const std::vector<Edge>& whole : boundaries()) {
-      if (whole.size() <= many) continue;
       ConvexRing ring;
+      if (whole.size() <= many) continue;
       for (const Edge e : whole) {
         ring.corners.push_back(source_[e]);
         ring.is_flat.push_back(is_flat_[e]);
       }
+      if (std::cmp_less_equal(std::ranges::count(ring.is_flat, false), many)) continue;
+      is_divided[piece_of(whole.front() / 3)] = true;
       add_balanced_pieces(std::move(ring), most_corners, places_, result);
+    }
+    for (std::vector<Edge>& part : parts) {
+      if (is_divided[piece_of(part.front() / 3)]) continue;
+      for (Edge& e : part) e = source_[e];
+      result.push_back(std::move(part));
     }
     return result;
   }
