@@ -20,13 +20,19 @@ class Division {
       : most_(most_corners), places_(places), pieces_(pieces) {}
 
   void run(ConvexRing whole) {
+    const auto x = [&](std::uint32_t corner) { return places_[corner].x; };
+    const auto y = [&](std::uint32_t corner) { return places_[corner].y; };
+    const auto [left, right] = std::ranges::minmax(whole.corners, {}, x);
+    const auto [lower, upper] = std::ranges::minmax(whole.corners, {}, y);
+    is_wide_ = x(right) - x(left) >= y(upper) - y(lower);
     open_.push_back(std::move(whole));
     while (!open_.empty()) {
       const ConvexRing ring = std::move(open_.back());
       open_.pop_back();
       if (ring.corners.size() <= most_)
         add_piece(ring);
-      else if (std::ranges::find(ring.is_flat, true) == ring.is_flat.end())
+      else if (ring.corners.size() <= most_of_slab * most_ &&
+               std::ranges::find(ring.is_flat, true) == ring.is_flat.end())
         divide_cap(ring.corners);
       else
         halve(ring);
@@ -34,6 +40,10 @@ class Division {
   }
 
  private:
+  /// Boxes around caps reach far beyond the polygon where they are large, those around slabs do not; but slabs cross many
+  /// of the other summand.
+  static constexpr std::size_t most_of_slab = 32;
+
   /// From a corner whose triangles with two that follow each other are counterclockwise: neither next to it is
   /// flat. If a side has one flat corner, that is one; else all sides but one have none.
   void add_piece(const ConvexRing& ring) {
@@ -68,8 +78,8 @@ class Division {
     pieces_.push_back(std::move(piece));
   }
 
-  /// By the shortest of the diagonals that have half of the pieces on either side, or nearly half where these are along
-  /// sides of the polygon.
+  /// By that one of the diagonals with half of the pieces on either side, or nearly half where these are along sides of
+  /// the polygon, which runs most directly across the whole.
   void halve(const ConvexRing& ring) {
     const std::size_t size = ring.corners.size();
     const std::size_t half = count(size) / 2 * (most_ - 2) + 1;
@@ -88,9 +98,9 @@ class Division {
           if (is_along_side(k, k + steps) || is_along_side(k + steps, k + size)) continue;
           const Place& a = places_[ring.corners[k]];
           const Place& b = places_[ring.corners[(k + steps) % size]];
-          const double length = std::hypot(a.x - b.x, a.y - b.y);
-          if (from != size && length >= least) continue;
-          least = length;
+          const double width = std::abs(is_wide_ ? a.x - b.x : a.y - b.y);
+          if (from != size && width >= least) continue;
+          least = width;
           from = k;
           to = k + steps;
         }
@@ -113,6 +123,7 @@ class Division {
   }
 
   const std::size_t most_;
+  bool is_wide_ = true;
   const std::span<const Place> places_;
   std::vector<ConvexPiece>& pieces_;
   std::vector<ConvexRing> open_;

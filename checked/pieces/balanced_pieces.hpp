@@ -19,9 +19,9 @@ struct ConvexRing {
   std::vector<bool> is_flat;           ///< of each corner
 };
 
-/// Divides a convex polygon by diagonals into pieces with at most so many corners, nearly as few as there can be. Each
-/// is O(log n) diagonals away from each other one, and what is beyond a diagonal is small where the diagonal is short: so
-/// boxes around pieces overlap little, which they do in a fan. O(n log n), or O(n log² n) where corners are flat.
+/// Divides a convex polygon by diagonals into pieces with at most so many corners, nearly as few as there can be: into slabs
+/// across its longer side, and these into pieces whose other sides are those of caps, which are divided likewise. So boxes
+/// around pieces overlap little, which they do not in a fan. O(n log n).
 /// Requires: most_corners >= 3.
 void add_balanced_pieces(ConvexRing ring, std::uint32_t most_corners, std::span<const Place> places,
                          std::vector<ConvexPiece>& pieces);

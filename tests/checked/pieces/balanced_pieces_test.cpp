@@ -64,9 +64,25 @@ Chain on_a_line(int size, int step) {
   return chain;
 }
 
+/// Between two parabolas, twice as wide as high.
+Chain lens(int size) {
+  Chain chain;
+  for (int x = 0; x < size; ++x) chain.push_back({x * size, x * (x - size)});
+  for (int x = size; x > 0; --x) chain.push_back({x * size, x * (size - x)});
+  return chain;
+}
+
+double width(const Divided& of, const ConvexPiece& piece) {
+  const auto [low, high] =
+      std::ranges::minmax(piece, {}, [&](std::uint32_t k) { return of.ring[k].x; });
+  return Rational(of.ring[high].x - of.ring[low].x).get_d();
+}
+
 TEST(BalancedPieces, divide_polygons_of_any_size) {
   for (const std::uint32_t most : {3U, 4U, 8U, 256U})
     for (int size = 3; size < 60; ++size) expect_divides(divided(parabola(size), most), most);
+  expect_divides(divided(parabola(999), 8), 8);
+  expect_divides(divided(lens(500), 8), 8);
 }
 
 TEST(BalancedPieces, divide_what_has_flat_corners) {
@@ -88,14 +104,16 @@ TEST(BalancedPieces, are_as_few_as_there_can_be) {
 TEST(BalancedPieces, are_narrow) {
   for (const Chain& chain : {parabola(1000), on_a_line(1000, 90)}) {
     const Divided all = divided(chain, 8);
-    double width = 0;
-    for (const ConvexPiece& piece : all.pieces) {
-      const auto [low, high] =
-          std::ranges::minmax(piece, {}, [&](std::uint32_t k) { return chain[k].x; });
-      width += Rational(chain[high].x - chain[low].x).get_d();
-    }
-    EXPECT_LT(width, 8 * 1000);
+    double widths = 0;
+    for (const ConvexPiece& piece : all.pieces) widths += width(all, piece);
+    EXPECT_LT(widths, 8 * 1000);
   }
+}
+
+/// Boxes around what is in one of eight slabs reach a little beyond the polygon only.
+TEST(BalancedPieces, are_in_slabs) {
+  const Divided all = divided(lens(1000), 8);
+  for (const ConvexPiece& piece : all.pieces) EXPECT_LT(width(all, piece), 1000 * 1000 / 6);
 }
 
 }  // namespace
