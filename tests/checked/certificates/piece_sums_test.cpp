@@ -77,7 +77,6 @@ TEST(PieceSums, few_of_many_pairs_are_found_everywhere) {
   for (int x = 0; x < 600; ++x) chain.push_back({x, 0});
   chain.push_back({300, 1});
   const ConvexPieces pieces = pieces::convex_pieces(polygon(chain), 8);
-  const double error = 1200 * 0x1p-44;
   const PieceSums sums(pieces, pieces, {}, 1200);
   std::vector<HalfPlane> sides;
   for (int x = 10; x < 1190; x += 17) {

@@ -42,8 +42,9 @@ void expect_divides(const Divided& of, std::uint32_t most_corners) {
       EXPECT_GE(orientation(of.ring[piece[k]], of.ring[piece[next(k, size)]],
                             of.ring[piece[next(next(k, size), size)]]),
                 0);
-      if (k > 0 && k + 1 < size)
+      if (k > 0 && k + 1 < size) {
         EXPECT_GT(orientation(of.ring[piece[0]], of.ring[piece[k]], of.ring[piece[k + 1]]), 0);
+      }
     }
   }
   const auto size = static_cast<std::uint32_t>(of.ring.size());
