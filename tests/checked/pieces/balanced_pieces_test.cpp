@@ -65,6 +65,14 @@ Chain on_a_line(int size, int step) {
   return chain;
 }
 
+/// A parabola to the right of a vertical side that has many vertices.
+Chain on_a_wall(int size) {
+  Chain chain;
+  for (int y = 0; y < size; ++y) chain.push_back({y * (size - 1 - y), y});
+  for (int y = size - 2; y > 0; --y) chain.push_back({0, y});
+  return chain;
+}
+
 /// Between two parabolas, twice as wide as high.
 Chain lens(int size) {
   Chain chain;
@@ -91,6 +99,7 @@ TEST(BalancedPieces, divide_what_has_flat_corners) {
     for (int size = 3; size < 60; ++size)
       for (const int step : {1, 3, 7, 20})
         expect_divides(divided(on_a_line(size, step), most), most);
+  for (int size = 4; size < 30; ++size) expect_divides(divided(on_a_wall(size), 8), 8);
 }
 
 TEST(BalancedPieces, are_as_few_as_there_can_be) {
