@@ -57,24 +57,6 @@ NearPieces::NearPieces(const ConvexPieces& pieces, const ShiftedDoubles& doubles
   boxes = BoxTree<>(boxes_around);
 }
 
-std::optional<std::uint32_t> NearPieces::piece_at(const Place& x) const {
-  return boxes.empty() ? std::nullopt : piece_at(x, boxes.all());
-}
-
-std::optional<std::uint32_t> NearPieces::piece_at(const Place& x,
-                                                  const BoxTree<>::Range& range) const {
-  if (!meet(boxes[range], {x.x, x.y, x.x, x.y})) return std::nullopt;
-  if (!range.is_leaf()) {
-    const auto [first, second] = range.halves();
-    const auto found = piece_at(x, first);
-    return found ? found : piece_at(x, second);
-  }
-  if (std::ranges::any_of(near[range.begin].sides,
-                          [&](const HalfPlane& side) { return side.above(x) < 0; }))
-    return std::nullopt;
-  return range.begin;
-}
-
 PointOutsideSum::PointOutsideSum(const Point& x)
     : std::logic_error(to_string(x) + " is in no sum of two pieces") {}
 
@@ -86,17 +68,22 @@ std::vector<PieceSums::Pair> PieceSums::pairs_around(const Place& x, std::size_t
     return ++tested < most;
   });
   if (tested < most) return pairs;
-  // A few more, from all over P.
+  // One more for each of a few pieces from all over P.
   constexpr std::size_t enough = 16;
   const std::size_t size = p_.near.size();
   std::size_t stride = size * 5 / 8;
   while (std::gcd(stride, size) != 1) ++stride;
   for (std::size_t k = 0; k < size && (k < enough || pairs.empty()); ++k) {
-    const auto i = static_cast<std::uint32_t>(k * stride % size);
-    const std::vector<Place>& corners = p_.near[i].corners;
-    const Place a = corners[k % corners.size()];
-    const auto j = q_.piece_at({x.x - a.x, x.y - a.y});
-    if (j) pairs.push_back({i, *j});
+    BoxTree<>::Range piece = p_.boxes.all();
+    while (!piece.is_leaf()) {
+      const auto [first, second] = piece.halves();
+      piece = k * stride % size < first.end ? first : second;
+    }
+    visit(x, error_, piece, q_.boxes.all(), [&](const Pair& pair) {
+      if (!is_near(pair, x)) return true;
+      pairs.push_back(pair);
+      return false;
+    });
   }
   return pairs;
 }

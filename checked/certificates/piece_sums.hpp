@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <optional>
 #include <stdexcept>
 #include <unordered_map>
 #include <vector>
@@ -35,15 +34,9 @@ struct NearPiece {
 struct NearPieces {
   NearPieces(const ConvexPieces& exact, const ShiftedDoubles& doubles);
 
-  /// A piece that contains a place, by its half planes.
-  std::optional<std::uint32_t> piece_at(const Place& x) const;
-
   const ConvexPieces& exact;
   std::vector<NearPiece> near;
   BoxTree<> boxes;
-
- private:
-  std::optional<std::uint32_t> piece_at(const Place& x, const BoxTree<>::Range& range) const;
 };
 
 /// Thrown where a point of what should be a sum is in no sum of two pieces.
