@@ -18,7 +18,7 @@ struct ConvexPieces {
 };
 
 /// The constrained Delaunay triangulation (triangulation.hpp) without the diagonals that are not needed, the longest ones
-/// removed first (Hertel and Mehlhorn). A piece has at most so many corners. O(n log n) in practice.
+/// removed first (Hertel and Mehlhorn); large convex parts are divided evenly (balanced_pieces.hpp). A piece has at most so many corners. O(n log n) in practice.
 /// Requires: no two edges cross or overlap, each has the region to its left only, none is a point;
 /// most_corners >= 3.
 ConvexPieces convex_pieces(const Region& region, std::uint32_t most_corners = ~std::uint32_t{0});
