@@ -12,6 +12,9 @@ namespace oplus::certificates {
 
 namespace {
 
+/// Where many long thin pieces cross, all would be as many as the square of their number for each cell.
+constexpr std::size_t enough_pairs = 1024;
+
 Point exact_centre(const Cell& cell) {
   Point sum{0, 0};
   for (const auto& corner : cell.corners) sum = sum + point_of(corner->exact);
@@ -67,7 +70,7 @@ void CellTrees::add_seams() {
 }
 
 void CellTrees::add_step(const Cell& cell) {
-  std::vector<Pair> pairs = sums_.pairs_around(centre(cell));
+  std::vector<Pair> pairs = sums_.pairs_around(centre(cell), enough_pairs);
   for (const Pair& pair : pairs) {
     if (!contains(pair, cell) &&
         !OPLUS_MUTANT("cells-stick-out-of-sums", "a cell is in a sum of pieces if its centre is"))
@@ -80,7 +83,8 @@ void CellTrees::add_step(const Cell& cell) {
   const std::size_t size = cell.corners.size();
   for (std::size_t k = 0; k < size; k += 1 + size / enough_sides) {
     const Place &a = cell.corners[k]->near, &b = cell.corners[next(k, size)]->near;
-    const std::vector<Pair> more = sums_.pairs_around({(a.x + b.x) / 2, (a.y + b.y) / 2});
+    const std::vector<Pair> more =
+        sums_.pairs_around({(a.x + b.x) / 2, (a.y + b.y) / 2}, enough_pairs);
     pairs.insert(pairs.end(), more.begin(), more.end());
   }
   std::vector<std::pair<double, Pair>> by_worth;
@@ -122,14 +126,15 @@ bool CellTrees::add_step(const Cell& cell, const Pair& pair) {
 /// A pair whose sum certainly contains the centre.
 PieceSums::Pair CellTrees::pair_exactly_around(const Cell& cell) {
   const Point x = exact_centre(cell);
-  const HomogeneousPoint exact = homogeneous(x);
+  const CellCorner centre(homogeneous(x), doubles_);
   std::optional<Pair> found;
-  sums_.for_each_box_around(doubles_.near(x), error_, [&](const Pair& pair) {
-    if (found) return;
+  sums_.for_each_box_around(centre.near, error_, [&](const Pair& pair) {
+    if (!sums_.is_near(pair, centre.near)) return true;
     sums_.sides(pair, half_planes_);
     for (std::size_t side = 0; side < half_planes_.size(); ++side)
-      if (side_of(sums_.exact_side(pair, side), exact) < 0) return;
+      if (sums_.side_of(pair, side, half_planes_[side], centre) < 0) return true;
     found = pair;
+    return false;
   });
   if (!found) throw PointOutsideSum(x);
   return *found;

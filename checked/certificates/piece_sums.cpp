@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <span>
 
@@ -59,16 +60,40 @@ NearPieces::NearPieces(const ConvexPieces& pieces, const ShiftedDoubles& doubles
 PointOutsideSum::PointOutsideSum(const Point& x)
     : std::logic_error(to_string(x) + " is in no sum of two pieces") {}
 
-std::vector<PieceSums::Pair> PieceSums::pairs_around(const Place& x) const {
+std::vector<PieceSums::Pair> PieceSums::pairs_around(const Place& x, std::size_t most) const {
   std::vector<Pair> pairs;
-  std::vector<HalfPlane> half_planes;
+  std::size_t tested = 0;
   for_each_box_around(x, error_, [&](const Pair& pair) {
-    sides(pair, half_planes);
-    if (std::ranges::all_of(half_planes,
-                            [&](const HalfPlane& side) { return side.above(x) >= -error_; }))
-      pairs.push_back(pair);
+    if (is_near(pair, x)) pairs.push_back(pair);
+    return ++tested < most;
   });
+  if (tested < most) return pairs;
+  // One more for each of a few pieces from all over P.
+  constexpr std::size_t enough = 16;
+  const std::size_t size = p_.near.size();
+  std::size_t stride = size * 5 / 8;
+  while (std::gcd(stride, size) != 1) ++stride;
+  for (std::size_t k = 0; k < size && (k < enough || pairs.empty()); ++k) {
+    BoxTree<>::Range piece = p_.boxes.all();
+    while (!piece.is_leaf()) {
+      const auto [first, second] = piece.halves();
+      piece = k * stride % size < first.end ? first : second;
+    }
+    visit(x, error_, piece, q_.boxes.all(), [&](const Pair& pair) {
+      if (!is_near(pair, x)) return true;
+      pairs.push_back(pair);
+      return false;
+    });
+  }
   return pairs;
+}
+
+bool PieceSums::is_near(const Pair& pair, const Place& x) const {
+  const NearPiece &t = p_.near[pair.i], &u = q_.near[pair.j];
+  for (const auto& [of, other] : {std::pair(&t, &u), std::pair(&u, &t)})
+    for (const HalfPlane& side : of->sides)
+      if (side.above(x) - lowest(side, other->corners) < -error_) return false;
+  return true;
 }
 
 void PieceSums::sides(const Pair& pair, std::vector<HalfPlane>& result) const {

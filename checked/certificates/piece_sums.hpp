@@ -59,7 +59,7 @@ class PieceSums {
     friend bool operator==(const Pair&, const Pair&) = default;
   };
 
-  /// Calls with all pairs that contain a place, or nearly: in boxes that are larger by a margin.
+  /// Calls with all pairs that contain a place, or nearly, in boxes that are larger by a margin, as long as it returns true.
   template <typename Call>
   void for_each_box_around(const Place& place, double margin, const Call& call) const {
     if (!p_.boxes.empty() && !q_.boxes.empty())
@@ -69,8 +69,12 @@ class PieceSums {
   /// What is above a half plane by more than this is above its line.
   double error() const { return error_; }
 
-  /// All pairs whose sums contain a place, or nearly.
-  std::vector<Pair> pairs_around(const Place& x) const;
+  /// Pairs whose sums contain a place, or nearly: all; or where more than `most` have boxes around it, those among so many,
+  /// and a few others.
+  std::vector<Pair> pairs_around(const Place& x, std::size_t most = ~std::size_t{0}) const;
+
+  /// Whether the sum of a pair contains a place, or nearly.
+  bool is_near(const Pair& pair, const Place& x) const;
 
   /// The half planes of T ⊕ U, each off by a few roundings of the largest coordinates.
   void sides(const Pair& pair, std::vector<HalfPlane>& result) const;
@@ -85,22 +89,20 @@ class PieceSums {
 
  private:
   template <typename Call>
-  void visit(const Place& place, double margin, const BoxTree<>::Range& of_p,
+  bool visit(const Place& place, double margin, const BoxTree<>::Range& of_p,
              const BoxTree<>::Range& of_q, const Call& call) const {
     const Box &a = p_.boxes[of_p], &b = q_.boxes[of_q], sum = a + b;
     if (place.x + margin < sum.low_x || place.x - margin > sum.high_x ||
         place.y + margin < sum.low_y || place.y - margin > sum.high_y)
-      return;
+      return true;
     if (of_p.is_leaf() && of_q.is_leaf()) {
-      call(Pair{of_p.begin, of_q.begin});
+      return call(Pair{of_p.begin, of_q.begin});
     } else if (of_q.is_leaf() || (!of_p.is_leaf() && a.size() >= b.size())) {
       const auto [first, second] = of_p.halves();
-      visit(place, margin, first, of_q, call);
-      visit(place, margin, second, of_q, call);
+      return visit(place, margin, first, of_q, call) && visit(place, margin, second, of_q, call);
     } else {
       const auto [first, second] = of_q.halves();
-      visit(place, margin, of_p, first, call);
-      visit(place, margin, of_p, second, call);
+      return visit(place, margin, of_p, first, call) && visit(place, margin, of_p, second, call);
     }
   }
 

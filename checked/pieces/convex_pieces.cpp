@@ -22,9 +22,8 @@ class MergedTriangles {
   using Edge = std::uint32_t;
 
   MergedTriangles(Triangulation triangles, std::span<const NearPoint> vertices,
-                  std::span<const Place> places, std::uint32_t most_corners)
-      : most_corners_(most_corners),
-        vertices_(vertices),
+                  std::span<const Place> places)
+      : vertices_(vertices),
         places_(places),
         source_(std::move(triangles.sources)),
         twin_(std::move(triangles.twins)),
@@ -32,7 +31,7 @@ class MergedTriangles {
         is_removed_(source_.size(), false),
         piece_(source_.size() / 3),
         corners_(source_.size() / 3, 3),
-        flat_corners_(source_.size() / 3, 0) {
+        long_sides_(source_.size() / 3, 0) {
     std::iota(piece_.begin(), piece_.end(), 0U);
     for (Edge e = 0; e < source_.size(); ++e) {
       next_.push_back(Triangulation::next(e));
@@ -40,38 +39,71 @@ class MergedTriangles {
     }
   }
 
-  /// Removes the longest diagonals first. One that alone makes both angles convex where the region's is
-  /// reflex, at either end, counts as a quarter as long.
-  void merge() {
+  /// What has many more convex corners than a piece may have is divided in another way: without its longest diagonals it
+  /// would be fans and strips of long pieces.
+  std::vector<ConvexPiece> pieces(std::uint32_t most_corners) {
+    const std::size_t many = std::size_t{4} * most_corners;
+    sort_diagonals();
+    merge(most_corners);
+    std::vector<std::vector<Edge>> parts = boundaries();
+    merge(~std::uint32_t{0});
+    std::vector<ConvexPiece> result;
+    std::vector<bool> is_divided(piece_.size(), false);
+    for (const std::vector<Edge>& whole : boundaries()) {
+      ConvexRing ring;
+      if (whole.size() <= many) continue;
+      for (const Edge e : whole) {
+        ring.corners.push_back(source_[e]);
+        ring.is_flat.push_back(is_flat_[e]);
+      }
+      if (std::cmp_less_equal(std::ranges::count(ring.is_flat, false), many)) continue;
+      is_divided[piece_of(whole.front() / 3)] = true;
+      add_balanced_pieces(std::move(ring), most_corners, places_, result);
+    }
+    for (std::vector<Edge>& part : parts) {
+      if (is_divided[piece_of(part.front() / 3)]) continue;
+      for (Edge& e : part) e = source_[e];
+      result.push_back(std::move(part));
+    }
+    return result;
+  }
+
+ private:
+  /// The longest first. One that alone makes both angles convex where the region's is reflex, at either end, counts
+  /// as a quarter as long.
+  void sort_diagonals() {
     std::vector<std::uint8_t> ends(source_.size(), 0);
     for (Edge e = 0; e < twin_.size(); ++e)
       if (twin_[e] == Triangulation::none) count_where_reflex(e, ends);
-    std::vector<std::pair<double, Edge>> diagonals;
     for (Edge e = 0; e < twin_.size(); ++e)
       if (twin_[e] != Triangulation::none && e < twin_[e])
-        diagonals.emplace_back(-std::ldexp(length(e), -2 * (ends[e] + ends[twin_[e]])), e);
-    std::ranges::sort(diagonals);
-    for (const auto& [length, e] : diagonals) merge_across(e);
+        diagonals_.emplace_back(-std::ldexp(length(e), -2 * (ends[e] + ends[twin_[e]])), e);
+    std::ranges::sort(diagonals_);
   }
 
-  std::vector<ConvexPiece> pieces() const {
-    std::vector<ConvexPiece> result;
+  void merge(std::uint32_t most_corners) {
+    for (const auto& [length, e] : diagonals_)
+      if (!is_removed_[e]) merge_across(e, most_corners);
+  }
+
+  /// The edges of each piece, from one that leaves a first corner.
+  std::vector<std::vector<Edge>> boundaries() const {
+    std::vector<std::vector<Edge>> result;
     std::vector<bool> seen(source_.size(), false);
     for (Edge e = 0; e < source_.size(); ++e) {
       if (is_removed_[e] || seen[e]) continue;
-      ConvexPiece& piece = result.emplace_back();
+      std::vector<Edge>& edges = result.emplace_back();
       const Edge first = first_corner(e);
       Edge at = first;
       do {
         seen[at] = true;
-        piece.push_back(source_[at]);
+        edges.push_back(at);
         at = next_[at];
       } while (at != first);
     }
     return result;
   }
 
- private:
   Place direction(Edge e) const {
     const auto& [ax, ay] = places_[source_[e]];
     const auto& [bx, by] = places_[source_[next_[e]]];
@@ -117,22 +149,27 @@ class MergedTriangles {
     previous_[out] = in;
   }
 
-  void merge_across(Edge e) {
+  void merge_across(Edge e, std::uint32_t most_corners) {
     const Edge f = twin_[e];
     const std::uint32_t left = piece_of(e / 3), right = piece_of(f / 3);
     const std::uint32_t corners = corners_[left] + corners_[right] - 2;
-    if (corners > most_corners_) return;
+    if (corners > most_corners) return;
     const Edge in[] = {previous_[e], previous_[f]}, out[] = {next_[f], next_[e]};
     const int turns[] = {turn(in[0], out[0]), turn(in[1], out[1])};
     if (turns[0] < 0 || turns[1] < 0) return;
-    // A flat corner is never merged: the whole one would be larger than π.
-    std::uint32_t flat = flat_corners_[left] + flat_corners_[right];
+    // A flat corner is never merged: the whole one would be larger than π. A new one makes one side of two, which are long
+    // if they have several flat corners.
+    int long_sides = long_sides_[left] + long_sides_[right];
     for (int end = 0; end < 2; ++end) {
       link(in[end], out[end]);
       is_flat_[out[end]] = turns[end] == 0;
-      flat += turns[end] == 0;
+      if (turns[end] != 0) continue;
+      const Edge before = in[end], after = next_[out[end]];
+      long_sides += (is_flat_[before] || is_flat_[after]) -
+                    (is_flat_[before] && is_flat_[previous_[before]]) -
+                    (is_flat_[after] && is_flat_[next_[after]]);
     }
-    if (flat >= 4 && has_two_sides_with_flat_corners(out[0])) {
+    if (long_sides > 1) {
       for (const Edge after : out) is_flat_[after] = false;
       link(in[0], e);
       link(e, out[1]);
@@ -143,18 +180,7 @@ class MergedTriangles {
     is_removed_[e] = is_removed_[f] = true;
     piece_[right] = left;
     corners_[left] = corners;
-    flat_corners_[left] = flat;
-  }
-
-  /// Whether there is more than one side with several flat corners, given an edge of the piece.
-  bool has_two_sides_with_flat_corners(Edge first) const {
-    int sides = 0;
-    Edge e = first;
-    do {
-      sides += is_flat_[e] && is_flat_[next_[e]] && !is_flat_[previous_[e]];
-      e = next_[e];
-    } while (e != first);
-    return sides > 1;
+    long_sides_[left] = long_sides;
   }
 
   /// A corner whose triangles with two that follow each other are counterclockwise: neither next to it is
@@ -164,15 +190,16 @@ class MergedTriangles {
     return e;
   }
 
-  const std::uint32_t most_corners_;
   const std::span<const NearPoint> vertices_;
   const std::span<const Place> places_;
   std::vector<std::uint32_t> source_;
   std::vector<Edge> twin_, next_, previous_;
   std::vector<bool> is_flat_;  ///< the corner that the edge leaves
   std::vector<bool> is_removed_;
-  std::vector<std::uint32_t> piece_;  ///< of triangles: another one of its piece, or itself
-  std::vector<std::uint32_t> corners_, flat_corners_;  ///< of pieces, how many
+  std::vector<std::uint32_t> piece_;    ///< of triangles: another one of its piece, or itself
+  std::vector<std::uint32_t> corners_;  ///< of pieces, how many
+  std::vector<int> long_sides_;         ///< of pieces, how many with several flat corners
+  std::vector<std::pair<double, Edge>> diagonals_;
 };
 
 /// The mean of the corners, as a box.
@@ -209,9 +236,8 @@ ConvexPieces convex_pieces(const Region& region, std::uint32_t most_corners) {
   }
   Triangulation triangles = triangulation(boundary, near, places);
   result.points = std::move(triangles.points);
-  MergedTriangles merged(std::move(triangles), near, places, most_corners);
-  merged.merge();
-  std::vector<ConvexPiece> pieces = merged.pieces();
+  MergedTriangles merged(std::move(triangles), near, places);
+  std::vector<ConvexPiece> pieces = merged.pieces(most_corners);
 
   std::vector<Box> centres;
   for (const ConvexPiece& piece : pieces) centres.push_back(centre(piece, places));

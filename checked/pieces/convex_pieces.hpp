@@ -4,13 +4,10 @@
 #include <cstdint>
 #include <vector>
 
+#include "checked/pieces/balanced_pieces.hpp"
 #include "checked/pieces/triangulation.hpp"
 
 namespace oplus::pieces {
-
-/// The numbers of its corners, counterclockwise; inner angles are at most π. One side at most has more than
-/// one flat corner. Triangles between the first corner and two that follow each other are counterclockwise.
-using ConvexPiece = std::vector<std::uint32_t>;
 
 /// A region as the union of convex pieces whose interiors are disjoint. Their edges are, as a multiset,
 /// those of the region, cut at `points`, and diagonals in both directions.
@@ -21,7 +18,7 @@ struct ConvexPieces {
 };
 
 /// The constrained Delaunay triangulation (triangulation.hpp) without the diagonals that are not needed, the longest ones
-/// removed first (Hertel and Mehlhorn). A piece has at most so many corners. O(n log n) in practice.
+/// removed first (Hertel and Mehlhorn); large convex parts are divided evenly (balanced_pieces.hpp). A piece has at most so many corners. O(n log n) in practice.
 /// Requires: no two edges cross or overlap, each has the region to its left only, none is a point;
 /// most_corners >= 3.
 ConvexPieces convex_pieces(const Region& region, std::uint32_t most_corners = ~std::uint32_t{0});

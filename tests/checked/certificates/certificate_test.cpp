@@ -169,5 +169,21 @@ TEST(Certificate, of_a_filled_spiral_has_few_cells) {
   EXPECT_LT(cells(p, polygon(box(0, 0, 5, 5))), 1200U);
 }
 
+/// Vertices on a line but one, or nearly on a line: of thousands of pairs of long pieces, each cell is in many.
+TEST(Certificate, holds_for_long_pieces_that_cross) {
+  Chain line, curve;
+  for (int x = 0; x < 400; ++x) {
+    line.push_back({x, 0});
+    curve.push_back({x, x * x});
+  }
+  line.push_back({200, 1});
+  for (const Chain& chain : {line, curve}) {
+    const Region p = polygon(chain);
+    const Region s = sum_of(p, p);
+    expect_certified(p, p, s, "long pieces");
+    EXPECT_LT(cells(p, p), 200U);
+  }
+}
+
 }  // namespace
 }  // namespace oplus::certificates

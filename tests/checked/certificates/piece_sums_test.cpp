@@ -55,6 +55,7 @@ TEST(PieceSums, pairs_in_boxes_around_a_place_are_all_that_contain_it) {
     std::set<std::pair<std::uint32_t, std::uint32_t>> found;
     sums.for_each_box_around(x, 0, [&](const PieceSums::Pair& pair) {
       EXPECT_TRUE(found.emplace(pair.i, pair.j).second);
+      return true;
     });
     for (std::uint32_t i = 0; i < of_p.pieces.size(); ++i) {
       for (std::uint32_t j = 0; j < of_q.pieces.size(); ++j) {
@@ -68,6 +69,26 @@ TEST(PieceSums, pairs_in_boxes_around_a_place_are_all_that_contain_it) {
     EXPECT_LT(found.size(), of_p.pieces.size() * of_q.pieces.size());
   }
   EXPECT_GT(containing, 100U);
+}
+
+/// Triangles between a point and some of many others on a line: boxes around most of their sums contain most places.
+TEST(PieceSums, few_of_many_pairs_are_found_everywhere) {
+  Chain chain;
+  for (int x = 0; x < 600; ++x) chain.push_back({x, 0});
+  chain.push_back({300, 1});
+  const ConvexPieces pieces = pieces::convex_pieces(polygon(chain), 8);
+  const PieceSums sums(pieces, pieces, {}, 1200);
+  std::vector<HalfPlane> sides;
+  for (int x = 10; x < 1190; x += 17) {
+    for (const double y : {1e-6, 1e-3, 0.01}) {
+      const Place place{static_cast<double>(x), y};
+      const std::vector<PieceSums::Pair> all = sums.pairs_around(place);
+      const std::vector<PieceSums::Pair> few = sums.pairs_around(place, 20);
+      EXPECT_FALSE(few.empty());
+      EXPECT_LE(few.size(), std::min<std::size_t>(36, 2 * all.size()));
+      for (const PieceSums::Pair& pair : few) EXPECT_NE(std::ranges::find(all, pair), all.end());
+    }
+  }
 }
 
 }  // namespace
