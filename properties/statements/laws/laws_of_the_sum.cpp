@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The laws that every engine's sums must obey, closed and open; the table at the end registers them.
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/convex_hull_2.h>
-#include <CGAL/mpq_class.h>
-
-#include <iterator>
 #include <optional>
-#include <ranges>
 
 #include "checked/operations/image.hpp"
 #include "properties/runner/each_engine.hpp"
 #include "properties/runner/registry.hpp"
+#include "properties/statements/laws/convex_hull.hpp"
 #include "properties/statements/placements/overlay.hpp"
 #include "reference/chains/region_of.hpp"
 #include "reference/chains/validity.hpp"
@@ -20,22 +15,6 @@
 namespace oplus {
 
 namespace {
-
-/// The convex hull of some chains, counterclockwise from the smallest vertex, none inside a straight
-/// line. Requires: the vertices are not on one line.
-Chain convex_hull(const std::vector<Chain>& chains) {
-  using Kernel = CGAL::Simple_cartesian<Rational>;
-  std::vector<Kernel::Point_2> all, hull;
-  for (const Point& p : chains | std::views::join) all.emplace_back(p.x, p.y);
-  CGAL::convex_hull_2(all.begin(), all.end(), std::back_inserter(hull));
-  Chain corners;
-  for (const Kernel::Point_2& p : hull) corners.push_back({p.x(), p.y()});
-  return corners;
-}
-
-bool is_convex(const Region& region) {
-  return area(polygon(convex_hull(chains(region)))) == area(region);
-}
 
 Outcome commutative(const Sum& sum, const Summands& summands) {
   const auto& [p, q] = summands;
