@@ -51,7 +51,7 @@ class Division {
     std::size_t first = 0;
     while (ring.is_flat[next(first, size)] || ring.is_flat[previous(first, size)]) ++first;
     ConvexPiece piece = ring.corners;
-    std::ranges::rotate(piece, piece.begin() + static_cast<std::ptrdiff_t>(first));
+    std::rotate(piece.begin(), piece.begin() + static_cast<std::ptrdiff_t>(first), piece.end());
     pieces_.push_back(std::move(piece));
   }
 
