@@ -52,20 +52,20 @@ Outcome check(MethodFor method_for, const Summands& summands) {
   return outcome;
 }
 
-Registered collision(const std::string& id, MethodFor method_for, std::vector<std::string> kills) {
-  return Registered(
-      small_mixture(),
-      {.id = id, .kills = std::move(kills), .cases = 60, .check = [=](const Summands& summands) {
-         return check(method_for, summands);
-       }});
+Registered collision(MethodFor method_for, Statement statement) {
+  statement.cases = 60;
+  statement.check = [=](const Summands& summands) { return check(method_for, summands); };
+  return Registered(small_mixture(), std::move(statement));
 }
 
 const Registered registered[] = {
-    collision("section-5.1", naive_collision, {"weak-intersections-never-meet"}),
-    collision("section-5.1.1", sweep_collision,
-              {"sweep-forgets-overlap-direction", "sweep-ignores-weak-intersections"}),
-    collision("section-5.1.2", hierarchy_collision,
-              {"parallel-edges-do-not-collide", "weak-intersections-never-meet"})};
+    collision(naive_collision, {.id = "section-5.1", .kills = {"weak-intersections-never-meet"}}),
+    collision(sweep_collision,
+              {.id = "section-5.1.1",
+               .kills = {"sweep-forgets-overlap-direction", "sweep-ignores-weak-intersections"}}),
+    collision(hierarchy_collision,
+              {.id = "section-5.1.2",
+               .kills = {"parallel-edges-do-not-collide", "weak-intersections-never-meet"}})};
 
 }  // namespace
 

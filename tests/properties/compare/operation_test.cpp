@@ -26,7 +26,7 @@ CampaignReport run_of(const std::string& operation, const Engine& engine, std::s
   campaign.engines = {engine.name};
   campaign.operation = operation;
   campaign.largest = default_largest(campaign);
-  campaign.shrink_tries = 60;
+  campaign.shrink_tries = 200;
   const TaskSource source =
       pairs_that_fit(family_source(*find_family(family), cases, 1, 2), operation);
   return run_campaign(begun_report("diff", campaign, {}, {source}), {source},
