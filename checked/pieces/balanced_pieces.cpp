@@ -22,9 +22,9 @@ class Division {
   void run(ConvexRing whole) {
     const auto x = [&](std::uint32_t corner) { return places_[corner].x; };
     const auto y = [&](std::uint32_t corner) { return places_[corner].y; };
-    const auto [left, right] = std::ranges::minmax(whole.corners, {}, x);
-    const auto [lower, upper] = std::ranges::minmax(whole.corners, {}, y);
-    is_wide_ = x(right) - x(left) >= y(upper) - y(lower);
+    const auto [left, right] = std::ranges::minmax_element(whole.corners, {}, x);
+    const auto [lower, upper] = std::ranges::minmax_element(whole.corners, {}, y);
+    is_wide_ = x(*right) - x(*left) >= y(*upper) - y(*lower);
     open_.push_back(std::move(whole));
     while (!open_.empty()) {
       const ConvexRing ring = std::move(open_.back());
