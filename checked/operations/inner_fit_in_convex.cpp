@@ -12,13 +12,6 @@ namespace oplus {
 
 namespace {
 
-bool is_convex(const Chain& chain) {
-  for (std::size_t i = 0; i < chain.size(); ++i)
-    if (orientation(chain[previous(i, chain.size())], chain[i], chain[next(i, chain.size())]) < 0)
-      return false;
-  return true;
-}
-
 /// The points below all others, from left to right.
 std::vector<Point> lower_hull(std::vector<Point> points) {
   std::sort(points.begin(), points.end());

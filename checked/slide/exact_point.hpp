@@ -106,9 +106,7 @@ class Coordinate<WideNumbers> {
 
   void put_into(Rational& value) const {
     const auto& words = numerator.backend();
-    mpz_import(value.get_num_mpz_t(), words.size(), -1, sizeof(*words.limbs()), 0, 0,
-               words.limbs());
-    if (words.sign()) mpz_neg(value.get_num_mpz_t(), value.get_num_mpz_t());
+    set_integer(value.get_num_mpz_t(), words.limbs(), words.size(), words.sign());
     set_integer(value.get_den_mpz_t(), denominator);
   }
 
@@ -202,6 +200,7 @@ class ExactPoint {
   }
 
   bool has_x_of(const ExactPoint& other) const { return x_ == other.x_; }
+  bool has_y_of(const ExactPoint& other) const { return y_ == other.y_; }
 
   friend bool operator==(const ExactPoint& a, const ExactPoint& b) = default;
   friend bool operator<(const ExactPoint& a, const ExactPoint& b) {

@@ -66,7 +66,7 @@ NamedEnds<Numbers> named_ends(const ShortList<FreePiece<Numbers>>& pieces,
       const ExactPoint<Numbers>& a = ends[sorted[k - 1].end];
       const ExactPoint<Numbers>& b = ends[sorted[k].end];
       same_x[k] = is_close(sorted[k - 1].near_x, sorted[k].near_x) && a.has_x_of(b);
-      same[k] = same_x[k] && a == b;
+      same[k] = same_x[k] && a.has_y_of(b);
     }
   };
   for_each_part(ends.size(), threads, compare);

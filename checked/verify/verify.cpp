@@ -387,16 +387,14 @@ void ask_collision_test(const PlanarSet& sum, Boundary boundary, const Collision
     for (const Chain& chain : *of_sum) {
       if (chain.size() < 3) throw VerdictsDiffer("convex parts leave a chain that bounds nothing");
       for (const bool left : {true, false}) {
-        Point x = point_near(tree, edge, left);
-        bool meet = verdicts.interiors_meet_at(x);
-        const auto may_be_exceptional = [&] {
-          return left && !meet && boundary == Boundary::closed;
-        };
-        for (int attempt = 1; attempt < 3 && may_be_exceptional(); ++attempt)
-          meet = verdicts.interiors_meet_at(x = point_near(tree, edge, left, attempt));
-        if (may_be_exceptional()) {
-          x = point_left_of(all[edge], all, exceptional.places());
+        Point x;
+        bool meet = false;
+        for (int attempt = 0; attempt < 4; ++attempt) {
+          x = attempt < 3 ? point_near(tree, edge, left, attempt)
+                          : point_left_of(all[edge], all, exceptional.places());
           meet = verdicts.interiors_meet_at(x);
+          const bool may_be_exceptional = left && !meet && boundary == Boundary::closed;
+          if (!may_be_exceptional) break;
         }
         if (meet != left)
           throw VerdictsDiffer("convex parts and the collision test differ at " + to_string(x));

@@ -84,6 +84,13 @@ Rational twice_area(const Chain& chain) {
   return twice.total();
 }
 
+bool is_convex(const Chain& chain) {
+  for (std::size_t i = 0; i < chain.size(); ++i)
+    if (orientation(chain[previous(i, chain.size())], chain[i], chain[next(i, chain.size())]) < 0)
+      return false;
+  return true;
+}
+
 Rational area(const Region& region) {
   PairwiseSum twice;
   for (const Component& component : region.components) {

@@ -27,6 +27,9 @@ inline std::size_t next(std::size_t i, std::size_t length) { return i + 1 == len
 /// Twice the signed area a chain encloses: positive if counterclockwise.
 Rational twice_area(const Chain& chain);
 
+/// Whether a chain turns right nowhere.
+bool is_convex(const Chain& chain);
+
 /// The area of a region, holes not counted.
 Rational area(const Region& region);
 

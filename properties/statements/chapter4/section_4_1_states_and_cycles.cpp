@@ -169,15 +169,6 @@ Size size_of(const ConvolutionCycle& cycle) {
   return {of_p, cycle.size() - of_p};
 }
 
-bool is_convex(const Chain& chain) {
-  for (std::size_t i = 0; i < chain.size(); ++i) {
-    const Point& v = chain[i];
-    if (orientation(chain[previous(i, chain.size())], v, chain[next(i, chain.size())]) < 0)
-      return false;
-  }
-  return true;
-}
-
 /// The cycles of each pair of chains.
 using CyclesOfPairs = std::map<std::pair<std::size_t, std::size_t>, std::vector<Size>>;
 
