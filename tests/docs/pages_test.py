@@ -165,9 +165,11 @@ class Pages(unittest.TestCase):
                     self.assertTrue((ROOT / path).exists())
         self.assertGreater(names, 20)
 
-    def test_are_linked_from_the_readme(self):
+    def test_are_linked_from_the_readme_and_in_the_contents_of_the_site(self):
+        contents = (DOCS / "site/index.md").read_text(encoding="utf-8").splitlines()
         for name in PAGES:
             self.assertIn(f"](docs/{name})", README)
+            self.assertIn(name.removesuffix(".md"), contents)
 
 
 if __name__ == "__main__":
