@@ -199,8 +199,7 @@ int run(int argc, char** argv) {
     list(rows);
     return 0;
   }
-  benchmark::AddCustomContext("compiler", "GCC " __VERSION__ ", " OPLUS_BENCH_FLAGS);
-  benchmark::AddCustomContext("libraries", libraries_of_peers());
+  benchmark::AddCustomContext("libraries", libraries_of_peers() + ", " OPLUS_BENCH_FLAGS);
   register_all(rows);
   if (const auto bytes = static_cast<rlim_t>(1e6 * values["memory"]); bytes > 0) {
     const ::rlimit most{bytes, bytes};

@@ -254,8 +254,8 @@ def setting(context, command):
                       if line.startswith("model name") and ": " in line), "unknown processor")
     describe = ["git", "describe", "--always", "--dirty"]
     commit = subprocess.run(describe, cwd=ROOT, capture_output=True, text=True).stdout if shutil.which("git") else ""
-    return {"processor": processor, "cores": os.cpu_count(), "compiler": context.get("compiler", ""),
-            "libraries": context.get("libraries", ""), "newest": context.get("newest", "not built"),
+    return {"processor": processor, "cores": os.cpu_count(), "libraries": context.get("libraries", ""),
+            "newest": context.get("newest", "not built"),
             "commit": commit.strip(), "command": command}
 
 

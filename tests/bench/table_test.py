@@ -40,7 +40,7 @@ def row(name, *measurements, group="", subject="sums"):
 
 
 def run_of(*rows):
-    setting = {name: name for name in ("processor", "cores", "compiler", "libraries", "commit", "command")}
+    setting = {name: name for name in ("processor", "cores", "libraries", "commit", "command")}
     return table.Report({**setting, "newest": "CGAL 6.2.1, Clipper2 2.0.1"}, ENGINES, list(rows))
 
 
@@ -142,7 +142,7 @@ class Goals(unittest.TestCase):
         for seconds, holes, group, words, measured, reached in (
                 (1, 0, "", "without holes", "1.00, r", "yes"), (1.1, 0, "", "without holes", "1.10, r", "**no**"),
                 (1.1, 1, "", "without holes", "", "not measured"), (3, 0, "hard", "hard pairs", "3.00, r", "yes"),
-                (11, 0, "combs", "hard pairs", "", "not measured")):
+                (11, 0, "combs", "hard pairs", "", "not measured"), (11, 0, "hard", "without holes", "", "not measured")):
             self.assert_goal(words, measured, reached, row("r", of("slide", seconds, sum_holes=holes), group=group))
 
     def test_of_commands_large_regions_and_small_calls(self):
@@ -171,19 +171,6 @@ class Drawing(unittest.TestCase):
         self.assertEqual(re.findall('linestyle . title "(.*?)"', script), ["oplus", "CGAL", "CGAL 6.2.1", "Clipper2 2.0.1"])
         self.assertIn("<< EOD\n10 5\n20 5\nEOD", script)
         self.assertNotIn("nesting", script)
-
-
-class Large(unittest.TestCase):
-    def test_says_what_failed(self):
-        with tempfile.TemporaryDirectory() as folder:
-            for name, does in (("oplus", "[ $1 != gen ] || exit 0; [ $1 != verify ]"), ("oplus-certified", "exit 0")):
-                (Path(folder) / name).write_text(f"#!/bin/sh\n{does}\n")
-                (Path(folder) / name).chmod(0o755)
-            with contextlib.redirect_stdout(io.StringIO()):
-                rows = large.rows(Path(folder), (10, 20))
-        self.assertEqual([row.name for row in rows if row.of("large").in_words() == "failed: exit code 1"], ["large_verify"])
-        self.assertEqual(rows[0].of("large").numbers["vertices"], 20)
-        self.assertGreater(rows[0].number("large.process_mb"), 0.1)
 
 
 class Page(unittest.TestCase):
@@ -271,7 +258,7 @@ run = {"run_type": "iteration", "real_time": 1, "iterations": 1, "segments": 7, 
 runs = [{**run, "seconds": seconds} for seconds in (0.5, 0.1, 0.2, 0.9, 0.4)] + [{"run_type": "aggregate"}]
 if engine == "unsupported":
     runs = [{"run_type": "iteration", "error_occurred": True, "error_message": "unsupported: no holes"}]
-json.dump({"context": {"compiler": "GCC"}, "benchmarks": runs}, open(options["benchmark_out"], "w"))
+json.dump({"context": {"libraries": "GCC"}, "benchmarks": runs}, open(options["benchmark_out"], "w"))
 """
 
 
@@ -346,6 +333,19 @@ class AProgram(unittest.TestCase):
         code, said = self.table("--engines", "broken")
         self.assertEqual((code, said.splitlines()[-1]),
                          (1, "table.py: r: broken failed: exit code 1 oplus-bench: no"))
+
+    def test_commands_on_large_regions(self):
+        for name, does in (("oplus", "[ $1 = gen ] || [ $1 != verify ]"), ("oplus-certified", "exit 0")):
+            (self.folder / name).write_text(f"#!/bin/sh\n{does}\n")
+            (self.folder / name).chmod(0o755)
+        code, said = self.table("--rows", "large", "--json", str(self.folder / "run.json"))
+        self.assertEqual((code, said.splitlines()[-2:]), (1, [f"table.py: large_verify: {size} failed: exit code 1"
+                                                              for size in ("small", "large")]))
+        rows = table.Report.read(self.folder / "run.json").rows
+        self.assertEqual([row.name for row in rows if row.done("large")],
+                         ["large_" + name for name in large.COMMANDS if name != "verify"])
+        self.assertEqual(rows[0].number("large.vertices/small.vertices"), 10)
+        self.assertGreater(rows[0].number("large.process_mb"), 0.1)
 
     def test_refuses_invalid_usage_in_one_line(self):
         for options, words in ((["--engines", "fast"], "unknown engine fast"), (["--rows", "x"], "no row matches x"),
