@@ -277,7 +277,7 @@ Rows benchmark_rows() {
        std::initializer_list<std::pair<const char*, std::size_t>>{{"outlier", 2000},
                                                                   {"scales", 100},
                                                                   {"fractions", 640},
-                                                                  {"dots", 300},
+                                                                  {"dots", 100},
                                                                   {"sieve", 2500},
                                                                   {"spiral", 20000},
                                                                   {"thin", 1000},

@@ -252,7 +252,8 @@ def remarks(rows):
 def page(run_report, template):
     """{{name}} becomes a text, and {{#name}}, lines of columns, {{/name}} a table."""
     rows, sums, nesting = run_report.rows, run_report.of("sums"), run_report.of("nesting")
-    listed = [engine for engine in run_report.engines if any(row.of(engine.name) for row in sums)]
+    listed = sorted((engine for engine in run_report.engines if any(row.of(engine.name) for row in sums)),
+                    key=lambda engine: engine.rounds)
     engines = [engine.name for engine in listed]
     others = [name for name in engines if name != "slide"]
     lazy = [name for name in others if any(row.number(name + ".seconds_evaluated") for row in sums)]
