@@ -43,12 +43,12 @@ class Table(InAFolder):
                          {"clipper:", "clipper2:", "boost-polygon:"},
                          {"slide", "slide-open", "verify", "cgal-reduced", "cgal-full", "cgal-vertical", "clipper",
                           "boost-polygon", "oplus-sum", "sum-certificate", "oplus-certified", "cgal-sum", "oplus-proved"})
-        (self.folder / "docs/pictures").mkdir(parents=True)
+        (self.folder / "docs").mkdir(parents=True)
         self.assertEqual(self.ran("table.py", "--from", "run.json", "--page", "docs"), (0, "", ""))
         page = (self.folder / "docs/benchmarks.md").read_text()
         self.assertIn("On 4 of 4 rows", page)
         self.assertIn(f"table.py --rows '{rows}' --limit 100000 --min-time 0\n", page)
-        drawn = (self.folder / "docs/pictures/benchmarks.svg").read_text()
+        drawn = (self.folder / "docs/benchmarks/sizes.svg").read_text()
         self.assertEqual([words in drawn for words in (">oplus<", ">Boost.Polygon<", ">combs of", ">stars of", "</svg>")],
                          [True, True, True, False, True])
         self.assertNotIn(str(self.folder), page)

@@ -373,7 +373,7 @@ def main():
     parser.add_argument("--list", action="store_true", help="list the rows and the engines")
     parser.add_argument("--json", metavar="FILE", type=Path, help="write the measurements to FILE")
     parser.add_argument("--page", metavar="FOLDER", type=Path,
-                        help="write benchmarks.md and pictures/benchmarks.svg there, and the ratios in README.md beside it")
+                        help="write benchmarks.md and benchmarks/sizes.svg there, and the ratios in README.md beside it")
     parser.add_argument("--from", metavar="FILE", dest="file", help="measure nothing, read what --json wrote")
     parser.add_argument("--program", metavar="FILE", type=Path, default=PROGRAM, help=f"oplus-bench ({PROGRAM})")
     given = parser.parse_args()
@@ -390,7 +390,8 @@ def main():
             return 0
         run_report = measured_report(given, program, command_of(parser, given))
     if given.page:
-        chart.draw(run_report, given.page / "pictures/benchmarks.svg")
+        (given.page / "benchmarks").mkdir(exist_ok=True)
+        chart.draw(run_report, given.page / "benchmarks/sizes.svg")
         (given.page / "benchmarks.md").write_text(page(run_report, TEMPLATE.read_text(encoding="utf-8")), encoding="utf-8")
         beside = given.page.resolve().parent / "README.md"
         if beside.is_file():

@@ -320,7 +320,7 @@ class AProgram(unittest.TestCase):
         self.assertIn("> 0.25 s", said)
         with mock.patch("chart.draw") as draw:
             code, said = self.table("--from", str(self.folder / "run.json"), "--page", str(self.folder))
-        self.assertEqual((code, said, draw.call_args[0][1]), (0, "", self.folder / "pictures/benchmarks.svg"))
+        self.assertEqual((code, said, draw.call_args[0][1]), (0, "", self.folder / "benchmarks/sizes.svg"))
         page = (self.folder / "benchmarks.md").read_text()
         self.assertIn("On 1 of 1 rows", page)
         self.assertIn("--engines slide,rca,crash,hang,greedy,unsupported --limit 0.25\n", page)
