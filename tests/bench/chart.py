@@ -6,7 +6,8 @@ import subprocess
 
 from measuring import UsageError
 
-PANELS = {"stars": ("stars of n and of 100 vertices", "m"), "simple polygons": ("simple polygons of n and of 100 vertices", "m"),
+PANELS = {"stars": ("stars of n and of 100 vertices", "m"),
+          "simple polygons": ("simple polygons of n and of 100 vertices", "m"),
           "combs": ("combs of n vertices, small convex polygons", "m"),
           "nesting": ("nesting: no-fit polygons of all pairs of parts", "sum_vertices")}
 COLOURS = ["#000000", "#d55e00", "#e69f00", "#0072b2", "#56b4e9", "#009e73"]

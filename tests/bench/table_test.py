@@ -311,6 +311,10 @@ class AProgram(unittest.TestCase):
             measuring.measure(program, program.rows[0], ["slide", "crash"], limit=2)
         self.assertEqual([call[0][2] for call in asked.call_args_list], [20, 2])
 
+    def test_a_row_of_the_proved_program_has_more_time(self):
+        self.path.write_text(FAKE.replace("tsums", "tproved", 1))
+        self.assertIn("> 0.75 s", self.table("--engines", "hang")[1])
+
     def test_another_library_may_do_what_it_likes(self):
         code, said = self.table("--engines", "slide,rca,crash,hang,greedy,unsupported", "--json",
                                 str(self.folder / "run.json"))
