@@ -256,13 +256,12 @@ def remarks(rows):
 def page(run_report, template):
     """{{name}} becomes a text, and {{#name}}, lines of columns, {{/name}} a table."""
     rows, sums, nesting = run_report.rows, run_report.of("sums"), run_report.of("nesting")
-    listed = sorted((engine for engine in run_report.engines if any(row.of(engine.name) for row in sums)),
-                    key=lambda engine: engine.rounds)
+    sections = [[engine for engine in sorted(run_report.engines, key=lambda engine: engine.rounds)
+                 if any(row.of(engine.name) for row in of_section)] for of_section in (sums, nesting)]
+    listed, of_parts = sections[0], [engine.name for engine in sections[1] if engine.name not in ("slide", "oplus-nfp")]
     engines = [engine.name for engine in listed]
     others = [name for name in engines if name != "slide"]
     lazy = [name for name in others if any(row.number(name + ".seconds_evaluated") for row in sums)]
-    of_parts = [engine.name for engine in run_report.engines
-                if engine.name not in ("slide", "oplus-nfp") and any(row.of(engine.name) for row in nesting)]
     done = [m for row in rows for m in row.measurements if m.is_done() and "busy" in m.numbers]
     compared = [row for row in rows if len(row.exact()) > 1]
 
