@@ -15,10 +15,10 @@ class Oplus < Formula
   depends_on :linux
 
   def install
-    system "cmake", "-S", ".", "-B", "build", "-G", "Ninja",
+    system "cmake", "-S", ".", "-B", "build/release", "-G", "Ninja",
                     "-DOPLUS_ENGINES=OFF", "-DOPLUS_TESTS=OFF", *std_cmake_args
-    system "cmake", "--build", "build"
-    system "cmake", "--install", "build"
+    system "cmake", "--build", "build/release"
+    system "cmake", "--install", "build/release"
   end
 
   test do

@@ -45,7 +45,7 @@ class ConanFile:
                                compiler=Strict(libcxx="libstdc++11", cppstd="20"))
         assert set(type(self).settings) <= {"os", "arch", "compiler", "build_type"}, type(self).settings
         assert set(type(self).default_options) == set(type(self).options)
-        self.source_folder, self.build_folder, self.package_folder = WORK / "src", WORK / "build", PACKAGE
+        self.source_folder, self.build_folder, self.package_folder = WORK / "src", WORK / "src/build/release", PACKAGE
         self.cpp_info = Strict(libs=[], requires=[], system_libs=[], set_property=self.properties.__setitem__)
 
     def requires(self, reference, transitive_headers=False, transitive_libs=False, options=None):

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# cmake -D PORT=FOLDER -D SOURCES=ARCHIVE -D INSTALLED=FOLDER -D WORK=FOLDER -P vcpkg.cmake: what vcpkg does with a
-# port, of what that of oplus uses: checks the manifest, and runs the port on the archive of the sources, with what is
-# in INSTALLED. Installs into WORK/packages.
+# cmake -D PORT=FOLDER -D SOURCES=ARCHIVE -D WORK=FOLDER -P vcpkg.cmake: what vcpkg does with a port, of what that of
+# oplus uses: checks the manifest, and runs the port on the archive of the sources. Installs into WORK/packages.
 cmake_minimum_required(VERSION 3.25)
 
 file(READ ${PORT}/vcpkg.json manifest)
@@ -58,7 +57,8 @@ endfunction()
 function(vcpkg_extract_source_archive out)
   parse(1 "ARCHIVE" "")
   file(ARCHIVE_EXTRACT INPUT ${arg_ARCHIVE} DESTINATION ${WORK})
-  set(${out} ${WORK}/${port}-${VERSION} PARENT_SCOPE)
+  file(RENAME ${WORK}/${port}-${VERSION} ${WORK}/src)
+  set(${out} ${WORK}/src PARENT_SCOPE)
 endfunction()
 function(vcpkg_find_acquire_program name)
   find_program(found python3 REQUIRED)
@@ -67,12 +67,11 @@ endfunction()
 function(vcpkg_cmake_configure)
   asks_for(vcpkg-cmake)
   parse(0 "SOURCE_PATH" "OPTIONS")
-  run(${CMAKE_COMMAND} -S ${arg_SOURCE_PATH} -B ${WORK}/build -G Ninja -DCMAKE_BUILD_TYPE=Release
-      -DCMAKE_INSTALL_PREFIX=${CURRENT_PACKAGES_DIR} -DCMAKE_INSTALL_LIBDIR=lib
-      -DCMAKE_PREFIX_PATH=${INSTALLED} ${arg_OPTIONS})
+  run(${CMAKE_COMMAND} -S ${arg_SOURCE_PATH} -B ${WORK}/src/build/release -G Ninja -DCMAKE_BUILD_TYPE=Release
+      -DCMAKE_INSTALL_PREFIX=${CURRENT_PACKAGES_DIR} -DCMAKE_INSTALL_LIBDIR=lib ${arg_OPTIONS})
 endfunction()
 function(vcpkg_cmake_install)
-  run(${CMAKE_COMMAND} --build ${WORK}/build --target install)
+  run(${CMAKE_COMMAND} --build ${WORK}/src/build/release --target install)
 endfunction()
 # A package's files for CMake are in share/PORT, two folders deep.
 function(vcpkg_cmake_config_fixup)
