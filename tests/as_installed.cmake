@@ -146,11 +146,17 @@ add_test(NAME tree.release-contains-no-mutant
 
 add_test(NAME consumer.find-package
          COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/consumer/install_and_use ${PROJECT_BINARY_DIR})
+# The core where there is no CGAL; workflows call it on other systems.
+add_test(NAME consumer.core COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/consumer/core)
 
-# The package of Debian, in a system of its own.
+# The archive of the sources, and what builds from it.
+add_test(NAME packages.recipes
+         COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/checked/install/recipes/build ${PROJECT_BINARY_DIR})
+set_tests_properties(packages.recipes PROPERTIES TIMEOUT 2400 COST 700)
+# The packages of Debian, in a system of its own.
 add_test(NAME packages.deb
          COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/checked/install/install_deb ${PROJECT_BINARY_DIR})
-set_tests_properties(packages.deb PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 600 COST 500)
+set_tests_properties(packages.deb PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 2400 COST 800)
 # A wheel of the light core.
 add_test(NAME packages.wheel
          COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/checked/install/install_wheel ${PROJECT_BINARY_DIR} ${PROJECT_VERSION})

@@ -6,15 +6,15 @@ packages=(g++ cmake ninja-build ccache python3
           libcgal-dev libgmp-dev libmpfr-dev libboost-dev libcli11-dev nlohmann-json3-dev rapidjson-dev
           libpolyclipping-dev librapidcheck-dev
           coq ocaml-nox ocaml-findlib libzarith-ocaml-dev
-          help2man dpkg-dev)  # manual pages, and packages
+          help2man)  # manual pages
 # More for tests/run.
 packages_of_tests=(clang libclang-rt-14-dev git clang-format make time libgtest-dev libbenchmark-dev
-                   jq parallel z3 cvc5
+                   jq parallel z3 cvc5 python3-yaml
                    pybind11-dev python3-dev python3-numpy python3-shapely python3-pytest
                    python3-hypothesis)
 # More for tests/run --everything.
 packages_of_everything=(gnuplot-nox
-                        mmdebstrap lintian doxygen python3-sphinx python3-breathe
+                        mmdebstrap debhelper dh-python lintian ruby doxygen python3-sphinx python3-breathe
                         python3-myst-parser furo nodejs python3-pip python3-skbuild python3-venv
                         emscripten js-of-ocaml chromium chromium-driver python3-selenium)
 

@@ -139,7 +139,8 @@ class Pages(unittest.TestCase):
 
     def test_link_to_what_exists(self):
         """Files, folders, and headings of pages."""
-        texts = {ROOT / "README.md": README} | {path: path.read_text(encoding="utf-8") for path in DOCS.rglob("*.md")}
+        texts = {path: path.read_text(encoding="utf-8")
+                 for path in [*ROOT.glob("*.md"), *(ROOT / ".github").glob("*.md"), *DOCS.rglob("*.md")]}
         links = anchors = 0
         for path, text in texts.items():
             for link in re.findall(r"\]\(([^)]+)\)", text):

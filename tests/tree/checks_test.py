@@ -6,6 +6,7 @@ import formatted
 import licence_lines
 import mutant_names  # which finds list_mutants
 import page_algorithms
+import project_files
 import public_headers
 import tests_by_file
 from fixture import TreeTest
@@ -188,6 +189,63 @@ class MutantNames(TreeTest):
     def test_present(self):
         self.assertEqual(self.violations("present", self.without, self.with_one),
                          ["no binary contains the mutant two"])
+
+
+class ProjectFiles(TreeTest):
+    WORKFLOW = ("name: Tests", "on: [push]", "permissions:", "  contents: read", "jobs:", "  tests:",
+                "    runs-on: ubuntu-latest", "    timeout-minutes: 9", "    steps:", "      - uses: actions/checkout@v4",
+                "      - run: bash tests/run -R tree")
+    FORM = ("name: Wrong", "description: It is", "body:", "  - type: input", "    id: p", "    attributes:", "      label: P")
+    CITATION = ("cff-version: 1.2.0", "message: cite", "type: software", 'title: "oplus: sums"', "version: 0.1.0", "authors: []",
+                "license: [MIT]", "keywords: []", "references:", "  - title: Sums")
+
+    def setUp(self):
+        super().setUp()
+        self.write("tests/run")
+        self.write("LICENSES/MIT.txt")
+        self.write("LICENSE", "LICENSES/MIT.txt")
+        self.write("README.md", "# oplus: sums", "The theory is from the thesis *Sums* (1900).")
+        self.write("checked/oplus/version.hpp", *(f"#define OPLUS_VERSION_{part} {number}  ///< It."
+                                                  for part, number in (("MAJOR", 0), ("MINOR", 1), ("PATCH", 0))))
+        self.files = {".github/workflows/a.yml": self.WORKFLOW, ".github/ISSUE_TEMPLATE/b.yml": self.FORM,
+                      "CITATION.cff": self.CITATION, ".github/ISSUE_TEMPLATE/config.yml": ("blank_issues_enabled: false",)}
+        for name, lines in self.files.items():
+            self.write(name, *lines)
+
+    def test_what_is_right(self):
+        self.assertEqual(project_files.violations(self.root), [])
+
+    def test_what_is_wrong(self):
+        for name, line, changed, message in [
+                ("workflows/a.yml", "on: [push]", "on: [push", "expected ',' or ']'"),
+                ("workflows/a.yml", "on: [push]", "on: [pushed]", "on: pushed is unknown"),
+                ("workflows/a.yml", "    steps:", "    stepz:", "tests: stepz is unknown"),
+                ("workflows/a.yml", "    timeout-minutes: 9", "    environment: a", "tests: has no timeout-minutes"),
+                ("workflows/a.yml", "      - run: bash tests/run -R tree", "      - run: bash tests/runs", "tests/runs does not exist"),
+                ("workflows/a.yml", "      - run: bash tests/run -R tree", "      - run: bash tests/run && make", "is not a script"),
+                ("workflows/a.yml", "      - run: bash tests/run -R tree", "      - run: make", "is not a script"),
+                ("workflows/a.yml", "      - run: bash tests/run -R tree", "        run: make", "one of run and uses"),
+                ("workflows/a.yml", "      - uses: actions/checkout@v4", "      - uses: actions/checkout", "with its version"),
+                ("ISSUE_TEMPLATE/b.yml", "  - type: input", "  - type: inputs", "p: label is unknown"),
+                ("ISSUE_TEMPLATE/b.yml", "      label: P", "      labels: P", "p: has no label"),
+                ("ISSUE_TEMPLATE/b.yml", "body:", "bodies:", "form: has no body"),
+                ("ISSUE_TEMPLATE/config.yml", "blank_issues_enabled: false", "blank: false", "blank is unknown"),
+                ("CITATION.cff", "version: 0.1.0", "version: 0.2.0", "0.2.0 is not 0.1.0"),
+                ("CITATION.cff", "  - title: Sums", "  - title: Products", "README has no `Products`"),
+                ("CITATION.cff", "license: [MIT]", "license: [BSD]", "LICENSES has no BSD"),
+                ("CITATION.cff", "keywords: []", "keyword: []", "keyword is unknown")]:
+            name = name if name == "CITATION.cff" else ".github/" + name
+            with self.subTest(changed=changed):
+                lines = self.files[name]
+                self.assertIn(line, lines)
+                self.write(name, *(changed if one == line else one for one in lines))
+                found = project_files.violations(self.root)
+                self.write(name, *lines)
+                self.assertTrue(any(one.startswith(name) and message in one for one in found), found)
+
+    def test_a_licence_that_is_not_named(self):
+        self.write("LICENSES/BSD.txt")
+        self.assertEqual(project_files.violations(self.root), ["LICENSE: does not name BSD.txt"])
 
 
 class Report(TreeTest):

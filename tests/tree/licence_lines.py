@@ -18,7 +18,8 @@ CORE = ("reference/definitions", "reference/arithmetic", "reference/chains", "re
 EXAMPLES = ("docs/examples/cpp", "docs/examples/nesting", "tests/consumer")
 PYTHON = ("checked/bindings/python", "checked/bindings/python/oplus")
 PAGE = ("checked/bindings/page",)
-INSTALL = ("checked/install",)
+INSTALL = ("checked/install", "checked/install/recipes", "checked/install/recipes/debian",
+           "checked/install/recipes/vcpkg/oplus", "checked/install/recipes/conan")
 # Only for those who have CGAL; of it, what is under the LGPL (tests/checked/oplus/cgal_licence).
 ADAPTERS = ("checked/oplus/cgal.hpp",)
 NOT_IN_CORE = ("CGAL", "tbb", "oneapi", "mpfr.h")

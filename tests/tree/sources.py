@@ -6,7 +6,7 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-FOLDERS = ("reference", "checked", "properties", "tests", "docs", ".ci")
+FOLDERS = ("reference", "checked", "properties", "tests", "docs", ".ci", ".github")
 
 
 def files(root):
