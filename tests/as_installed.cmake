@@ -69,6 +69,19 @@ foreach(test page proofs)
 endforeach()
 set_tests_properties(page.core page.browser-page page.browser-proofs PROPERTIES FIXTURES_REQUIRED page)
 
+# The npm module (docs/npm.md): what `npm pack` makes, in an empty folder.
+set(npm ${CMAKE_CURRENT_BINARY_DIR}/npm)
+set(of_npm ${CMAKE_CURRENT_SOURCE_DIR}/checked/bindings/npm)
+add_test(NAME npm.build COMMAND ${CMAKE_COMMAND} -E env OPLUS_WARNINGS_ARE_ERRORS=ON
+                                bash ${PROJECT_SOURCE_DIR}/checked/bindings/npm/make ${npm}/module)
+add_test(NAME npm.install COMMAND bash ${of_npm}/install ${npm}/module ${npm}/installed)
+add_test(NAME npm.node COMMAND node --expose-gc ${npm}/installed/oplus_test.mjs ${cases})
+add_test(NAME npm.browser COMMAND ${Python_EXECUTABLE} -B ${of_npm}/browser_test.py ${npm}/installed)
+# After the page, whose object files it shares.
+set_tests_properties(npm.build PROPERTIES FIXTURES_SETUP npm-module FIXTURES_REQUIRED page COST 900)
+set_tests_properties(npm.install PROPERTIES FIXTURES_SETUP npm FIXTURES_REQUIRED npm-module)
+set_tests_properties(npm.node npm.browser PROPERTIES FIXTURES_REQUIRED npm)
+
 # The API reference: everything in it is documented, and every function is in an example.
 add_test(NAME docs.api COMMAND bash ${PROJECT_SOURCE_DIR}/docs/api/make ${CMAKE_CURRENT_BINARY_DIR}/api)
 add_test(NAME docs.api-in-examples

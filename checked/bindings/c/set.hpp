@@ -33,13 +33,19 @@ inline Boundary boundary(int number) {
 /// Puts the set that a call returns through a pointer.
 template <typename Call>
 oplus_code put(oplus_set** result, const Call& call) noexcept {
-  return code_of([&] { given(result, "the result") = new oplus_set{call()}; });
+  return code_of([&] {
+    oplus_set*& made = given(result, "the result");
+    made = new oplus_set{call()};
+  });
 }
 
 /// Puts the text that a call returns through a pointer.
 template <typename Call>
 oplus_code put(char** result, const Call& call) noexcept {
-  return code_of([&] { given(result, "the result") = copied(call()); });
+  return code_of([&] {
+    char*& made = given(result, "the result");
+    made = copied(call());
+  });
 }
 
 }  // namespace oplus::c

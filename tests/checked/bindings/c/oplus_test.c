@@ -175,6 +175,13 @@ static void operations(void) {
   CHECK(is(set, "POLYGON((0 0,0.5 0,0 0.5,0 0))"));
   GOOD(oplus_complement(p, &set));
   GOOD(oplus_complement(set, &three));
+  // It is unbounded.
+  char* text = NULL;
+  BAD(oplus_wkt(set, -1, &text), "unbounded");
+  size_t chains = 0, vertices = 0, lengths[2] = {9, 9};
+  GOOD(oplus_sizes(set, &chains, &vertices));
+  GOOD(oplus_to_doubles(set, NULL, lengths, NULL));
+  CHECK(chains == 2 && vertices == 4 && lengths[0] == 0 && lengths[1] == 4 && text == NULL);
   oplus_free(set);
   CHECK(is(three, square));
   GOOD(oplus_disc("1", OPLUS_CONTAIN, "1/2", &set));
@@ -277,11 +284,14 @@ static void* on_a_thread(void* argument) {
 static void threads(void) {
   char* names[] = {"first", "second", "third"};
   pthread_t started[3];
+  oplus_set* set = NULL;
+  BAD(oplus_read("main", &set), "main");
   for (int i = 0; i < 3; ++i) CHECK(pthread_create(&started[i], NULL, on_a_thread, names[i]) == 0);
   for (int i = 0; i < 3; ++i) {
     void* failed = NULL;
     CHECK(pthread_join(started[i], &failed) == 0 && failed == NULL);
   }
+  CHECK(strstr(oplus_message(), "main") != NULL);
 }
 
 // Where the memory ends, the call fails and the program goes on.
