@@ -22,6 +22,9 @@ export class OplusError extends Error {
 /** Calls a function of oplus.h with numbers, strings and typed arrays; `result` reads what it has put into `out`. */
 export function call(name, values, result) {
   const copied = values.filter((value) => typeof value === "string" || ArrayBuffer.isView(value));
+  // To C, a text ends there.
+  if (copied.some((value) => typeof value === "string" && value.includes("\0")))
+    throw new OplusError("text: it has a zero character; expected none", "invalid");
   return core.with(copied, (...pointers) => {
     const code = core.exports[`oplus_${name}`](...values.map((value) => copied.includes(value) ? pointers.shift() : value),
       out, out + 8);

@@ -81,4 +81,5 @@ export function disc(radius: Coordinate, error: Coordinate, options?: {side?: "c
 /** Whether what some program claims to be P ⊕ Q is that, by the definitions; else the first reason why not. */
 export function verify(p: Shape, q: Shape, claimed: Shape, options?: {open?: boolean}):
   {isSum: true, reason?: undefined} | {isSum: false, reason: string};
-export const version: string;
+/** The version of oplus, such as "0.1.0". */
+export function version(): string;

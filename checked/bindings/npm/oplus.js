@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What users call: README.md, oplus.d.ts.
-import {OplusError, call, chains, double, free, integer, pointer, text, version as versionOf} from "./core.js";
+import {OplusError, call, chains, double, free, integer, pointer, text, version} from "./core.js";
 
-export {OplusError};
-export const version = versionOf();
+export {OplusError, version};
 
 const kinds = {outer: 0, hole: 1, line: 2, point: 3};
 const sides = ["nearest", "contain", "contained"];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What Emscripten made of the core, in Node, browsers and workers: memory, texts, and no other part of the machine.
+// What Emscripten made of the core, in Node, browsers and workers: memory and texts.
 
 const encoder = new TextEncoder(), decoder = new TextDecoder();
 
@@ -34,14 +34,10 @@ export class Core {
   }
 }
 
-/** What the core may ask of a system: the time, and an environment, which is empty. It opens and writes no files. */
+/** What the core may ask of a system: an environment, which is empty, and a place to write why it stops. It opens no files. */
 function system(memory) {
   const failed = 8;  // EBADF
   return {
-    clock_time_get(clock, precision, result) {
-      memory().setBigUint64(result, BigInt(Math.round(performance.now() * 1e6)), true);
-      return 0;
-    },
     environ_sizes_get(count, size) {
       memory().setUint32(count, 0, true);
       memory().setUint32(size, 0, true);
@@ -49,10 +45,9 @@ function system(memory) {
     },
     environ_get: () => 0,
     fd_close: () => failed,
-    fd_read: () => failed,
     fd_seek: () => failed,
     fd_write: () => failed,
-    proc_exit(code) { throw new Error(`the core has stopped with code ${code}`); },
+    proc_exit(code) { throw new WebAssembly.RuntimeError(`the core has stopped with code ${code}`); },
   };
 }
 
@@ -63,7 +58,7 @@ export async function load(source) {
   if (response.ok === false) throw new Error(`${response.url}: ${response.status}`);
   const bytes = response.arrayBuffer ? await response.arrayBuffer() : response;
   const imports = {
-    env: {emscripten_notify_memory_growth() {}},
+    env: {emscripten_notify_memory_growth() {}, __call_sighandler() {}},
     wasi_snapshot_preview1: system(() => new DataView(exports.memory.buffer)),
   };
   ({exports} = (await WebAssembly.instantiate(bytes, imports)).instance);

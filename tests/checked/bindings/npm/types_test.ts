@@ -11,7 +11,7 @@ const fractions: [Fraction, Fraction][] = sum.coordinates({exact: true}).points;
 const third: bigint = rounded(sum, "1/3", {side: "contain"}).exactArea.d;
 const where: "inside" | "boundary" | "outside" = nfp(sum, square).locate(["1/3", 2n]);
 const verdict = verify(sum, square, "POLYGON EMPTY");
-const reason: string = verdict.isSum ? version : verdict.reason;
+const reason: string = verdict.isSum ? version() : verdict.reason;
 const {code}: {code: "invalid" | "memory" | "failed"} = new OplusError();
 export const all = [numbers, fractions, third, where, reason, code, disc(1, "1/100"), ifp(sum, sum).area + 1];
 
