@@ -77,8 +77,9 @@ add_test(NAME npm.build COMMAND ${CMAKE_COMMAND} -E env OPLUS_WARNINGS_ARE_ERROR
 add_test(NAME npm.install COMMAND bash ${of_npm}/install ${npm}/module ${npm}/installed)
 add_test(NAME npm.node COMMAND node --expose-gc ${npm}/installed/oplus_test.mjs ${cases})
 add_test(NAME npm.browser COMMAND ${Python_EXECUTABLE} -B ${of_npm}/browser_test.py ${npm}/installed)
-# After the page, whose object files it shares.
-set_tests_properties(npm.build PROPERTIES FIXTURES_SETUP npm-module FIXTURES_REQUIRED page COST 900)
+# They share object files.
+set_tests_properties(npm.build page.build PROPERTIES RESOURCE_LOCK wasm)
+set_tests_properties(npm.build PROPERTIES FIXTURES_SETUP npm-module COST 900)
 set_tests_properties(npm.install PROPERTIES FIXTURES_SETUP npm FIXTURES_REQUIRED npm-module)
 set_tests_properties(npm.node npm.browser PROPERTIES FIXTURES_REQUIRED npm)
 
