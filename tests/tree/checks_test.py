@@ -106,7 +106,7 @@ class PublicHeaders(TreeTest):
 class PageAlgorithms(TreeTest):
     def test_what_the_page_lacks(self):
         self.write(page_algorithms.HEADER, "auto find(const Range& range, const Value& value) {")
-        for path in ("checked/slide/a.cpp", "checked/rounding/a.cpp", "checked/sweep/a.cpp"):
+        for path in ("checked/slide/a.cpp", "checked/layouts/a.cpp", "checked/sweep/a.cpp"):
             self.write(path, "std::ranges::find(a, b);", "std::find(std::ranges::begin(a), std::ranges::rotate(a));")
         self.assertEqual(list(page_algorithms.violations(self.root)),
                          [f"checked/slide/a.cpp:2: {page_algorithms.HEADER} has no rotate"])
