@@ -28,6 +28,21 @@ target_include_directories(example-from_clipper SYSTEM PRIVATE ${CLIPPER_INCLUDE
 target_link_libraries(example-from_clipper PRIVATE ${CLIPPER_LIBRARY})
 add_test(NAME docs.readme-program
          COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_SOURCE_DIR}/docs/readme_program.py)
+# The C interface, in a program of C and in those of other languages.
+enable_language(C)
+set(of_c ${CMAKE_CURRENT_SOURCE_DIR}/checked/bindings/c)
+add_executable(oplus-c-test ${of_c}/oplus_test.c)
+target_link_libraries(oplus-c-test PRIVATE oplus::c Threads::Threads)
+target_compile_options(oplus-c-test PRIVATE -std=c99 -Wall -Wextra -Wpedantic -Wstrict-prototypes)
+target_compile_definitions(oplus-c-test PRIVATE _XOPEN_SOURCE=700 "OPLUS_VERSION=\"${PROJECT_VERSION}\"")
+add_test(NAME c.functions COMMAND oplus-c-test)
+add_test(NAME c.exported COMMAND ${Python3_EXECUTABLE} -B ${of_c}/exported.py $<TARGET_FILE:oplus_c>)
+foreach(language c rs lua)
+  add_test(NAME c.example-${language}
+           COMMAND bash ${of_c}/example $<TARGET_FILE_DIR:oplus_c> ${PROJECT_BINARY_DIR}/include
+                   ${PROJECT_SOURCE_DIR}/docs/examples/c/room_and_robot.${language})
+endforeach()
+
 # The Python package: pytest, Hypothesis, and the examples of docstrings.
 add_test(NAME python.package
          COMMAND ${CMAKE_COMMAND} -E env PYTHONPATH=${PROJECT_BINARY_DIR}/python
@@ -53,6 +68,20 @@ foreach(test page proofs)
                    ${CMAKE_CURRENT_SOURCE_DIR}/checked/bindings/page/${test}_test.py)
 endforeach()
 set_tests_properties(page.core page.browser-page page.browser-proofs PROPERTIES FIXTURES_REQUIRED page)
+
+# The npm module (docs/npm.md): what `npm pack` makes, in an empty folder.
+set(npm ${CMAKE_CURRENT_BINARY_DIR}/npm)
+set(of_npm ${CMAKE_CURRENT_SOURCE_DIR}/checked/bindings/npm)
+add_test(NAME npm.build COMMAND ${CMAKE_COMMAND} -E env OPLUS_WARNINGS_ARE_ERRORS=ON
+                                bash ${PROJECT_SOURCE_DIR}/checked/bindings/npm/make ${npm}/module)
+add_test(NAME npm.install COMMAND bash ${of_npm}/install ${npm}/module ${npm}/installed)
+add_test(NAME npm.node COMMAND node --expose-gc ${npm}/installed/oplus_test.mjs ${cases})
+add_test(NAME npm.browser COMMAND ${Python_EXECUTABLE} -B ${of_npm}/browser_test.py ${npm}/installed)
+# They share object files.
+set_tests_properties(npm.build page.build PROPERTIES RESOURCE_LOCK wasm)
+set_tests_properties(npm.build PROPERTIES FIXTURES_SETUP npm-module COST 900)
+set_tests_properties(npm.install PROPERTIES FIXTURES_SETUP npm FIXTURES_REQUIRED npm-module)
+set_tests_properties(npm.node npm.browser PROPERTIES FIXTURES_REQUIRED npm)
 
 # The API reference: everything in it is documented, and every function is in an example.
 add_test(NAME docs.api COMMAND bash ${PROJECT_SOURCE_DIR}/docs/api/make ${CMAKE_CURRENT_BINARY_DIR}/api)

@@ -16,7 +16,8 @@ packages_of_tests=(clang libclang-rt-14-dev git clang-format make time libgtest-
 packages_of_everything=(gnuplot-nox
                         mmdebstrap debhelper dh-python lintian ruby doxygen python3-sphinx python3-breathe
                         python3-myst-parser furo nodejs python3-pip python3-skbuild python3-venv
-                        emscripten js-of-ocaml chromium chromium-driver python3-selenium)
+                        emscripten js-of-ocaml chromium chromium-driver python3-selenium
+                        rustc luajit node-typescript npm)
 
 # Installs what is missing. Asks nothing; says what it installs.
 install_missing_packages() {

@@ -107,6 +107,7 @@ add_test(NAME tree.layering COMMAND ${tree_check}/layering.py)
 add_test(NAME tree.licence-lines COMMAND ${tree_check}/licence_lines.py)
 add_test(NAME tree.format COMMAND ${tree_check}/formatted.py)
 add_test(NAME tree.public-headers COMMAND ${tree_check}/public_headers.py)
+add_test(NAME tree.page-algorithms COMMAND ${tree_check}/page_algorithms.py)
 add_test(NAME tree.project-files COMMAND ${tree_check}/project_files.py)
 add_test(NAME tree.nothing-outside-the-build
          COMMAND ${tree_check}/compiled.py ${PROJECT_SOURCE_DIR}/build/check/compile_commands.json

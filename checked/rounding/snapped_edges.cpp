@@ -21,9 +21,10 @@ SnappedEdges::SnappedEdges(const std::vector<Segment>& edges, const HotPixels& h
   }
   std::ranges::sort(links, {}, &Link::segment);
   std::vector<Point> ends;
-  for (auto first = links.cbegin(); first != links.cend();) {
-    const auto last = std::find_if(first, links.cend(),
-                                   [&](const Link& one) { return one.segment != first->segment; });
+  // Emscripten's library makes a span of pointers only.
+  for (const Link *first = links.data(), *const end = first + links.size(); first != end;) {
+    const Link* last =
+        std::find_if(first, end, [&](const Link& one) { return one.segment != first->segment; });
     groups.emplace_back(first, last);
     const int more = turns(groups.back());
     if (more == 0)

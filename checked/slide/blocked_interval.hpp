@@ -29,8 +29,8 @@ enum class Shift { none, to_the_right };
 
 namespace detail {
 
-/// What strips of the plane leave of a line.
-template <typename Numbers>
+/// What strips of the plane leave of a line, as Result has it.
+template <typename Numbers, typename Result>
 class Strips {
  public:
   using Value = typename Numbers::Value;
@@ -48,10 +48,10 @@ class Strips {
     return cut({constant - limit, -slope}, {constant, -slope});
   }
 
-  const std::optional<BlockedInterval<Numbers>>& left() const { return left_; }
+  std::optional<BlockedInterval<Result>>& left() { return left_; }
 
  private:
-  bool cut(const Fraction<Numbers>& from, const Fraction<Numbers>& to) {
+  bool cut(const Fraction<Result>& from, const Fraction<Result>& to) {
     if (!left_) {
       left_ = {from, to};
       return true;
@@ -61,7 +61,7 @@ class Strips {
     return left_->from < left_->to;
   }
 
-  std::optional<BlockedInterval<Numbers>> left_;
+  std::optional<BlockedInterval<Result>> left_;
 };
 
 /// Segments whose x, and whose y, are multiplied by the common denominator of theirs: so no quotient of
@@ -101,20 +101,10 @@ const std::array<IntegerSegment<AnyNumbers>, n>& with_common_denominators(
 /// The places on the line of a segment at which an edge of P and one of -Q + x(t) cross properly:
 /// where x(t), shifted, is inside the sum of the edge of P and that of Q, a parallelogram. It is one
 /// open interval, or empty; of infinitesimal length counts as empty.
-template <typename Numbers>
-std::optional<BlockedInterval<Numbers>> blocked_interval(const IntegerSegment<Numbers>& segment,
-                                                         const IntegerSegment<Numbers>& of_p,
-                                                         const IntegerSegment<Numbers>& of_q,
-                                                         Shift shift) {
-  if constexpr (is_rational<Numbers>) {
-    const auto& scaled = detail::with_common_denominators<3>({&segment, &of_p, &of_q});
-    const auto interval = blocked_interval(scaled[0], scaled[1], scaled[2], shift);
-    if (!interval) return std::nullopt;
-    const auto as_rational = [](const Fraction<AnyNumbers>& t) {
-      return Fraction<Numbers>(t.numerator(), t.denominator());
-    };
-    return BlockedInterval<Numbers>{as_rational(interval->from), as_rational(interval->to)};
-  }
+template <typename Numbers, typename Result = Numbers>
+requires(!is_rational<Numbers>) std::optional<BlockedInterval<Result>> blocked_interval(
+    const IntegerSegment<Numbers>& segment, const IntegerSegment<Numbers>& of_p,
+    const IntegerSegment<Numbers>& of_q, Shift shift) {
   using Value = typename Numbers::Value;
   // x = of_p.source + of_q.source + a u + b w, where 0 < a < 1 and 0 < b < 1 inside.
   const auto& u = of_p.direction;
@@ -135,7 +125,7 @@ std::optional<BlockedInterval<Numbers>> blocked_interval(const IntegerSegment<Nu
                ? -inwards
                : inwards;
   };
-  detail::Strips<Numbers> strips;
+  detail::Strips<Numbers, Result> strips;
   const Value slope_a = cross(d, w);
   if (!strips.cut(turned(cross(from_corner, w)), turned(slope_a), area,
                   slope_a == 0 ? nudge(w, 1) : 0))
@@ -144,7 +134,14 @@ std::optional<BlockedInterval<Numbers>> blocked_interval(const IntegerSegment<Nu
   if (!strips.cut(turned(cross(u, from_corner)), turned(slope_b), area,
                   slope_b == 0 ? nudge(u, -1) : 0))
     return std::nullopt;
-  return strips.left();
+  return std::move(strips.left());
+}
+
+inline std::optional<BlockedInterval<RationalNumbers>> blocked_interval(
+    const IntegerSegment<RationalNumbers>& segment, const IntegerSegment<RationalNumbers>& of_p,
+    const IntegerSegment<RationalNumbers>& of_q, Shift shift) {
+  const auto& scaled = detail::with_common_denominators<3>({&segment, &of_p, &of_q});
+  return blocked_interval<AnyNumbers, RationalNumbers>(scaled[0], scaled[1], scaled[2], shift);
 }
 
 }  // namespace oplus::slide

@@ -181,10 +181,15 @@ class BlockingSearch {
     // Where doubles are exact, a segment beside a strip may touch its side; along it, the shift decides.
     const double touching = OPLUS_MUTANT("slide-passes-sides-by") ? margin : std::max(margin, 0.5);
     effort.by_doubles += summands_.p.near.size() * summands_.q.near.size();
+    const auto leading = leading_edge(segment);
     summands_.pairs.each_near(segment.near, {shift_ == Shift::none ? touching : margin, touching},
                               [&](const EdgePair& pair) {
                                 --effort.by_doubles;
-                                if (!comes_apart(segment, pair)) visit(pair);
+                                if (comes_apart(segment, pair)) return;
+                                if (is_far_reaching() && (meets_end_only(segment, pair) ||
+                                                          outside_by_digits(leading, pair)))
+                                  return;
+                                visit(pair);
                               });
   }
 
@@ -214,13 +219,13 @@ class BlockingSearch {
     const bool before = previous[edge] == beside;
     if (!before && previous[beside] != edge) return false;
     // The sides of the parallelogram lead away from the corner, and so does the segment.
-    const NearSegment& u = (edge_of_p ? summands_.p : summands_.q).near[beside];
-    const NearSegment& w = (edge_of_p ? summands_.q : summands_.p).near[at_vertex];
-    const NearSegment& d = segment.near;
-    const int turn = certain_turn(u.dx, u.dy, w.dx, w.dy);
+    const auto u = (edge_of_p ? summands_.p : summands_.q).direction(beside);
+    const auto w = (edge_of_p ? summands_.q : summands_.p).direction(at_vertex);
+    const EdgeDirection<Numbers> d{segment.exact.direction, segment.near};
+    const int turn = certain_turn(u, w);
     const int sign_u = before ? -1 : 1, sign_w = at_vertex == vertex ? 1 : -1;
-    const int from_u = certain_turn(u.dx, u.dy, d.dx, d.dy);
-    const int to_w = certain_turn(d.dx, d.dy, w.dx, w.dy);
+    const int from_u = certain_turn(u, d);
+    const int to_w = certain_turn(d, w);
     const int sign_d = before ? 1 : -1;
     const int inside = turn * sign_u * sign_w;
     if (inside * from_u * sign_u * sign_d >= 0 && inside * to_w * sign_d * sign_w >= 0)
@@ -283,6 +288,7 @@ class BlockingSearch {
   bool outside_closely(const ReducedSegment<Numbers>& segment, const EdgePair& pair, double from,
                        double to) {
     if (summands_.margins.area_is_exact) return false;
+    if (is_far_reaching()) return outside_by_digits(leading_edge(segment), pair);
     const NearSegment& e = summands_.p.near[pair.first];
     const NearSegment& f = summands_.q.near[pair.second];
     const double dx = segment.near.dx, dy = segment.near.dy;
@@ -318,6 +324,29 @@ class BlockingSearch {
       return is_beside_one({near(corner.x, shift), near(corner.y, shift)});
     };
     if (!is_beside()) return false;
+    ++effort.by_doubles;
+    return true;
+  }
+
+  /// Whether numbers, or products of two, may be out of the range of doubles.
+  bool is_far_reaching() const { return !summands_.p.leading.empty(); }
+
+  struct Nothing {};
+  auto leading_edge(const ReducedSegment<Numbers>& segment) const {
+    if constexpr (has_fixed_width<Numbers>)
+      return Nothing{};
+    else
+      return is_far_reaching() ? LeadingEdge::of(segment.exact) : LeadingEdge{};
+  }
+
+  /// Whether leading digits tell that no place on the segment is in the sum of a pair of edges.
+  template <typename Leading>
+  bool outside_by_digits(const Leading& segment, const EdgePair& pair) {
+    if constexpr (has_fixed_width<Numbers>)
+      return false;
+    else if (!certainly_beyond_a_side(segment, summands_.p.leading[pair.first],
+                                      summands_.q.leading[pair.second]))
+      return false;
     ++effort.by_doubles;
     return true;
   }

@@ -15,10 +15,12 @@ bool cut(Piece<Numbers>& piece, const typename Numbers::Value& constant,
          const typename Numbers::Value& slope, const typename Numbers::Value& low,
          const typename Numbers::Value& high) {
   if (slope == 0) return low <= constant && constant <= high;
-  const Fraction<Numbers> from = slope > 0 ? Fraction<Numbers>{low - constant, slope}
-                                           : Fraction<Numbers>{constant - high, -slope};
-  const Fraction<Numbers> to = slope > 0 ? Fraction<Numbers>{high - constant, slope}
-                                         : Fraction<Numbers>{constant - low, -slope};
+  using Value = typename Numbers::Value;
+  const auto place = [&](const Value& side) {
+    return slope > 0 ? Fraction<Numbers>{Value(side - constant), slope}
+                     : Fraction<Numbers>{Value(constant - side), Value(-slope)};
+  };
+  const Fraction<Numbers> from = place(slope > 0 ? low : high), to = place(slope > 0 ? high : low);
   if (piece.from < from) piece.from = from;
   if (to < piece.to) piece.to = to;
   return !(piece.to < piece.from);

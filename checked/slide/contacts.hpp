@@ -69,21 +69,22 @@ class Contacts {
   /// Where a pair of edges touches on a part of the segment's line longer than a point: always a
   /// vertex in an edge. Nothing if it does not.
   std::optional<Contact> along(const IntegerSegment<Numbers>& segment, const EdgePair& pair) const {
+    const auto& d = segment.direction;
+    const bool is_along_q = turn(d, summands_.q.edges[pair.second].direction) == 0;
+    if (!is_along_q && turn(d, summands_.p.edges[pair.first].direction) != 0) return std::nullopt;
     const Parallelogram sum = parallelogram(segment, pair);
     if (sum.area == 0) return std::nullopt;
-    const auto& d = segment.direction;
     const auto vertex = [&](std::size_t of, std::uint32_t edge,
                             const Value& along) -> std::optional<Feature> {
       if (along == 0) return Feature{edge, true};
       if (along == sum.area) return Feature{rays_[of].target(edge), true};
       return std::nullopt;
     };
-    if (cross(d, sum.w) == 0) {
+    if (is_along_q) {
       if (const auto of_p = vertex(0, pair.first, cross(sum.from_corner, sum.w)))
         return Contact{*of_p, {pair.second, false}};
-    } else if (cross(sum.u, d) == 0) {
-      if (const auto of_q = vertex(1, pair.second, cross(sum.u, sum.from_corner)))
-        return Contact{{pair.first, false}, *of_q};
+    } else if (const auto of_q = vertex(1, pair.second, cross(sum.u, sum.from_corner))) {
+      return Contact{{pair.first, false}, *of_q};
     }
     return std::nullopt;
   }
@@ -132,7 +133,7 @@ class Contacts {
     rays_[1].each_ray(contact.of_q, add_to(Summand::Q));
     const auto is_before = [](const Around& a, const Around& b) {
       if (a.is_lower != b.is_lower) return b.is_lower;
-      return cross(a.direction, b.direction) > 0;
+      return turn(a.direction, b.direction) > 0;
     };
     std::sort(around_.begin(), around_.end(), is_before);
     in_order_.clear();
@@ -155,10 +156,10 @@ class Contacts {
     // The sector is counterclockwise of the ray ahead, up to the ray back.
     const auto& ahead = with_vertex.edges[vertex].direction;
     const auto& entering = with_vertex.edges[with_vertex.previous[vertex]].direction;
-    if (cross(edge, ahead) < 0 || cross(edge, entering) > 0) return true;
-    const Value turn = cross(entering, ahead);
+    if (turn(edge, ahead) < 0 || turn(edge, entering) > 0) return true;
+    const int corner = turn(entering, ahead);
     // Straight on, the sector is a half plane.
-    return turn < 0 || (turn == 0 && dot(edge, ahead) < 0);
+    return corner < 0 || (corner == 0 && dot(edge, ahead) < 0);
   }
 
   struct Parallelogram {

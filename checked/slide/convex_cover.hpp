@@ -99,8 +99,8 @@ class ConvexCover {
         if (!is_inside(side)) return std::nullopt;
         continue;
       }
-      Fraction<Numbers> end =
-          slope > 0 ? Fraction<Numbers>(-side, slope) : Fraction<Numbers>(side, -slope);
+      Fraction<Numbers> end = slope > 0 ? Fraction<Numbers>(Value(-side), slope)
+                                        : Fraction<Numbers>(side, Value(-slope));
       if (!(slope > 0 ? end < t : t < end)) return std::nullopt;
       std::optional<Fraction<Numbers>>& so_far = slope > 0 ? first : last;
       if (!so_far || (slope > 0 ? *so_far < end : end < *so_far)) so_far = std::move(end);

@@ -7,6 +7,7 @@
 #include "checked/arithmetic/set_integer.hpp"
 #include "checked/slide/fraction.hpp"
 #include "checked/slide/integer_summands.hpp"
+#include "checked/slide/leading_edge.hpp"
 #include "reference/definitions/segment.hpp"
 
 namespace oplus::slide {
@@ -52,12 +53,11 @@ class Coordinate {
     value_.get_den() *= more.get_den();
   }
 
-  friend bool operator==(const Coordinate& a, const Coordinate& b) {
-    return cmp(a.value_, b.value_) == 0;
-  }
-  friend bool operator<(const Coordinate& a, const Coordinate& b) {
-    return cmp(a.value_, b.value_) < 0;
-  }
+  friend bool operator==(const Coordinate& a, const Coordinate& b) { return order(a, b) == 0; }
+  friend bool operator<(const Coordinate& a, const Coordinate& b) { return order(a, b) < 0; }
+
+  /// Without a scaling, off by at most 2^-50 of its size.
+  NearNumber leading() const { return near_number(value_.get_mpq_t()); }
 
   double near(const Scaling& scaling) const {
     Rational moved;
@@ -68,6 +68,11 @@ class Coordinate {
   void put_into(Rational& value) const { value = value_; }
 
  private:
+  static int order(const Coordinate& a, const Coordinate& b) {
+    const int certain = certain_order(a.leading(), b.leading());
+    return certain != 0 ? certain : cmp(a.value_, b.value_);
+  }
+
   Rational value_;
 };
 
@@ -221,6 +226,26 @@ class ExactPoint {
     return along >= 0 && along <= ux * ux + uy * uy;
   }
 
+  /// Whether leading digits tell that x is not on the segment from a to b.
+  static bool is_certainly_beside(const ExactPoint& x, const ExactPoint& a,
+                                  const ExactPoint& b) requires(!has_fixed_width<Numbers>) {
+    const auto near = [](const ExactPoint& p) {
+      return NearVector{p.x_.leading(), p.y_.leading()};
+    };
+    const NearVector s = near(a), t = near(b), p = near(x);
+    const auto is_beyond = [](const NearNumber& c, const NearNumber& from, const NearNumber& to) {
+      return certain_order(c, from) * certain_order(c, to) > 0;
+    };
+    if (is_beyond(p.x, s.x, t.x) || is_beyond(p.y, s.y, t.y)) return true;
+    const auto is_beside = [&](const NearVector& of) {
+      const NearNumber error =
+          NearNumber{1, -46} * ((abs(t.x) + abs(s.x)) * (abs(p.y) + abs(of.y)) +
+                                (abs(t.y) + abs(s.y)) * (abs(p.x) + abs(of.x)));
+      return error < abs((t.x - s.x) * (p.y - of.y) - (t.y - s.y) * (p.x - of.x));
+    };
+    return is_beside(s) || is_beside(t);
+  }
+
  private:
   void set(const IntegerSegment<Numbers>& segment, const Fraction<Numbers>& t) {
     x_ = {segment.source.x, segment.direction.x, t};
@@ -236,6 +261,8 @@ bool lies_between(const ExactPoint<Numbers>& x, const ExactPoint<Numbers>& a,
                   const ExactPoint<Numbers>& b, const Scaling& scaling) {
   if constexpr (has_fixed_width<Numbers>) {
     if (const auto answer = ExactPoint<Numbers>::lies_between_integers(x, a, b)) return *answer;
+  } else if (ExactPoint<Numbers>::is_certainly_beside(x, a, b)) {
+    return false;
   }
   return lies_on(x.in_the_plane(scaling), {a.in_the_plane(scaling), b.in_the_plane(scaling)});
 }

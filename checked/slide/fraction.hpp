@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "checked/slide/number_types.hpp"
+#include "checked/slide/near_number.hpp"
 #include "reference/definitions/mutant.hpp"
 
 namespace oplus::slide {
@@ -17,60 +17,39 @@ double to_double(const Value& value) {
     return value.template convert_to<double>();
 }
 
-/// A number is near mantissa 2^exponent, off by at most 2^-51 of its size.
-struct NearNumber {
-  double mantissa;
-  long exponent;
-
-  double scaled_down(std::size_t shift) const {
-    return std::ldexp(mantissa, static_cast<int>(exponent - static_cast<long>(shift)));
-  }
-  friend NearNumber operator/(const NearNumber& a, const NearNumber& b) {
-    return {a.mantissa / b.mantissa, a.exponent - b.exponent};
-  }
-};
-
-inline NearNumber near_number(mpz_srcptr value) {
-  NearNumber near;
-  near.mantissa = mpz_get_d_2exp(&near.exponent, value);
-  return near;
-}
-
-inline NearNumber near_number(const boost::multiprecision::mpq_rational& value) {
-  mpq_srcptr quotient = value.backend().data();
-  return near_number(mpq_numref(quotient)) / near_number(mpq_denref(quotient));
-}
-
 /// value / 2^shift as a double, however large it is, off by a rounding, or two if it is a rational.
 template <typename Value>
 double scaled_down(const Value& value, std::size_t shift) {
-  if constexpr (std::is_same_v<Value, boost::multiprecision::mpz_int>) {
-    return near_number(value.backend().data()).scaled_down(shift);
-  } else if constexpr (std::is_same_v<Value, boost::multiprecision::mpq_rational>) {
+  if constexpr (is_of_gmp<Value>)
     return near_number(value).scaled_down(shift);
-  } else {
+  else
     return std::ldexp(to_double(value), -static_cast<int>(shift));
-  }
 }
 
 /// n / d as a double, however large both are, off by at most 2^-50 of its size or 2^-1000.
 template <typename Value>
 double quotient(const Value& n, const Value& d) {
-  if constexpr (std::is_same_v<Value, boost::multiprecision::mpz_int>) {
-    const std::size_t shift = mpz_sizeinbase(d.backend().data(), 2);
-    return scaled_down(n, shift) / scaled_down(d, shift);
-  } else if constexpr (std::is_same_v<Value, boost::multiprecision::mpq_rational>) {
+  if constexpr (is_of_gmp<Value>)
     return (near_number(n) / near_number(d)).scaled_down(0);
-  } else {
+  else
     return to_double(n) / to_double(d);
-  }
 }
 
 /// A place on the line of a segment: 0 is its source, 1 its target.
 template <typename Numbers>
 class Fraction {
  public:
-  using Value = typename Numbers::Value;
+  /// Integers, of rationals too: they are faster, since they are not reduced after each operation.
+  using Value =
+      std::conditional_t<is_rational<Numbers>, AnyNumbers::Value, typename Numbers::Value>;
+
+  /// The quotient of two rationals. Requires: d > 0.
+  template <typename Quotient>
+  requires std::is_same_v<Quotient, RationalNumbers::Value> Fraction(const Quotient& n,
+                                                                     const Quotient& d)
+      : Fraction(
+            Value(boost::multiprecision::numerator(n) * boost::multiprecision::denominator(d)),
+            Value(boost::multiprecision::numerator(d) * boost::multiprecision::denominator(n))) {}
 
   /// Requires: denominator > 0.
   Fraction(Value numerator, Value denominator)
@@ -91,13 +70,18 @@ class Fraction {
 
   /// Exact: in the larger numbers, doubles decide where they are certain.
   friend bool operator<(const Fraction& a, const Fraction& b) {
-    using Product = typename Numbers::Product;
+    using Product = std::conditional_t<is_rational<Numbers>, Value, typename Numbers::Product>;
     if constexpr (!is_small<Numbers>) {
       const double difference = b.near_ - a.near_;
       if (OPLUS_MUTANT("slide-believes-doubles",
                        "of two fractions in large numbers, doubles always tell the smaller") ||
           std::abs(difference) > 0x1p-48 * (std::abs(a.near_) + std::abs(b.near_)) + 0x1p-900)
         return difference > 0;
+    }
+    if constexpr (!has_fixed_width<Numbers>) {
+      const int order = certain_order(near_number(a.numerator_) * near_number(b.denominator_),
+                                      near_number(b.numerator_) * near_number(a.denominator_));
+      if (order != 0) return order < 0;
     }
     return Product(a.numerator_) * Product(b.denominator_) <
            Product(b.numerator_) * Product(a.denominator_);

@@ -10,6 +10,7 @@
 #include "checked/slide/float_box_tree.hpp"
 #include "checked/slide/fraction.hpp"
 #include "checked/slide/integer_vector.hpp"
+#include "checked/slide/leading_edge.hpp"
 #include "checked/slide/scaling.hpp"
 #include "checked/slide/short_list.hpp"
 
@@ -43,9 +44,13 @@ struct EdgeDirection {
   const IntegerVector<Numbers>& exact;
   const NearSegment& near;
 
-  friend int turn(const EdgeDirection& a, const EdgeDirection& b) {
+  friend int certain_turn(const EdgeDirection& a, const EdgeDirection& b) {
     const int certain = certain_turn(a.near.dx, a.near.dy, b.near.dx, b.near.dy);
-    return certain != 0 ? certain : turn(a.exact, b.exact);
+    return certain != 0 ? certain : certain_turn(a.exact, b.exact);
+  }
+  friend int turn(const EdgeDirection& a, const EdgeDirection& b) {
+    const int certain = certain_turn(a, b);
+    return certain != 0 ? certain : sign_of(cross(a.exact, b.exact));
   }
   bool is_lower() const { return exact.is_lower(); }
 };
@@ -54,7 +59,9 @@ struct EdgeDirection {
 template <typename Numbers>
 struct IntegerSummand {
   ShortList<IntegerSegment<Numbers>> edges;
-  ShortList<NearSegment> near;                  ///< less `place_of_most`
+  ShortList<NearSegment> near;  ///< less `place_of_most`
+  std::vector<LeadingEdge>
+      leading;  ///< where numbers may be out of the range of doubles, else empty
   ShortList<std::uint32_t> previous;            ///< the edge that enters the vertex
   ShortList<std::uint32_t> chain_of;            ///< the number of its chain
   ShortList<std::uint32_t> first_of_chain;      ///< its first edge
@@ -72,6 +79,9 @@ struct IntegerSummand {
 inline bool has_short_numbers(const Scaling& scaling) {
   return scaling.bits <= 24 && scaling.shift == 0;
 }
+
+/// Whether numbers, or products of two, may be out of the range of doubles.
+inline bool is_far_reaching(const Scaling& scaling) { return scaling.shift > 200; }
 
 /// More than anything computed in doubles can be off, given the largest coordinate.
 struct Margins {
@@ -172,6 +182,10 @@ IntegerSummand<Numbers> integer_summand(const Region& region, const Scaling& sca
   for (const IntegerSegment<Numbers>& edge : summand.edges)
     summand.near.push_back(
         near(IntegerSegment<Numbers>{edge.source - most, edge.direction}, scaling));
+  if constexpr (!has_fixed_width<Numbers>)
+    if (is_far_reaching(scaling))
+      for (const IntegerSegment<Numbers>& edge : summand.edges)
+        summand.leading.push_back(LeadingEdge::of(edge));
   summand.first_of_component.push_back(static_cast<std::uint32_t>(summand.edges.size()));
   return summand;
 }

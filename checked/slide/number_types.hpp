@@ -53,6 +53,10 @@ template <typename Numbers>
 constexpr bool is_rational = std::is_same_v<Numbers, RationalNumbers>;
 
 template <typename Value>
+constexpr bool is_of_gmp =
+    std::is_same_v<Value, AnyNumbers::Value> || std::is_same_v<Value, RationalNumbers::Value>;
+
+template <typename Value>
 int sign_of(const Value& value) {
   return (value > 0) - (value < 0);
 }

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
+#include <boost/functional/hash.hpp>
+#include <unordered_map>
 #include <utility>
 
+#include "checked/arithmetic/leave_out_copies.hpp"
 #include "checked/slide/edges_at_vertices.hpp"
 #include "checked/slide/integer_summands.hpp"
 #include "reference/definitions/convolution.hpp"
@@ -29,6 +33,29 @@ class ReducedSegments {
   EdgeDirection<Numbers> edge_direction(std::uint32_t segment) const {
     const EdgeAtVertex& s = segments_[segment];
     return with_edge(s).direction(s.edge);
+  }
+
+  /// Where doubles show it, and there are so many that searching for copies costs little beside sliding along them:
+  /// sums of many equal parts have few places.
+  void leave_out_copies() {
+    constexpr std::size_t few = 4096;
+    if (!is_small<Numbers> || segments_.size() < few) return;
+    using Direction = std::pair<double, double>;
+    std::unordered_map<Direction, std::size_t, boost::hash<Direction>> edges_of;
+    for (const auto* summand : {&summands_.p, &summands_.q})
+      for (const NearSegment& edge : summand->near) ++edges_of[{edge.dx, edge.dy}];
+    const auto edge = [&](const EdgeAtVertex& s) -> const NearSegment& {
+      return with_edge(s).near[s.edge];
+    };
+    oplus::leave_out_copies(
+        segments_,
+        [&](const EdgeAtVertex& s) {
+          return edges_of.find({edge(s).dx, edge(s).dy})->second > 1;
+        },
+        [&](const EdgeAtVertex& s) {
+          const NearSegment &e = edge(s), &v = with_vertex(s).near[s.vertex];
+          return std::array{e.x + v.x, e.y + v.y, e.dx, e.dy};
+        });
   }
 
   IntegerSegment<Numbers> exact(std::uint32_t segment) const {

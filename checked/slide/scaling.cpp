@@ -16,6 +16,9 @@ namespace {
 /// As much longer than each number a common denominator may be.
 constexpr std::size_t many_times = 4;
 
+/// Coordinates that are longer stay where they are.
+constexpr std::size_t most_moved_bits = 256;
+
 std::size_t bits(const mpz_class& value) {
   // Without a call.
   if (mpz_size(value.get_mpz_t()) == 1) return std::bit_width(mpz_getlimbn(value.get_mpz_t(), 0));
@@ -98,7 +101,13 @@ Scaling scaling_of(const Extent& p, const Extent& q) {
     scaling.of_p = middle(p, scaling);
     scaling.of_q = middle(q, scaling);
     scaling.is_moved = true;
-    scaling.bits = largest();
+    const std::size_t bits_unmoved = std::exchange(scaling.bits, largest());
+    if (scaling.bits > most_moved_bits) {
+      // Small coordinates would be as long as large ones.
+      scaling.of_p = scaling.of_q = {};
+      scaling.is_moved = false;
+      scaling.bits = bits_unmoved;
+    }
   }
   scaling.shift = scaling.bits > 60 ? scaling.bits - 60 : 0;
   return scaling;

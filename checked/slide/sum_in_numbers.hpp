@@ -27,6 +27,7 @@ namespace oplus::slide {
 template <typename Numbers>
 ComputedSum sum_of(ReducedSegments<Numbers>& segments, const Scaling& scaling, Boundary boundary,
                    const EngineOptions& options) {
+  if (!options.with_origins) segments.leave_out_copies();
   std::optional<RaysOfBoth<Numbers>> rays;
   if (boundary == Boundary::open) {
     segments.prepare_boxes();

@@ -3,16 +3,15 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/functional/hash.hpp>
 #include <cmath>
 #include <cstdint>
 #include <numeric>
 #include <optional>
 #include <span>
 #include <tuple>
-#include <unordered_set>
 #include <utility>
 
+#include "checked/arithmetic/leave_out_copies.hpp"
 #include "checked/arithmetic/set_integer.hpp"
 #include "checked/verify/summand_parts.hpp"
 #include "reference/arithmetic/interval.hpp"
@@ -180,23 +179,27 @@ class ConvexSums::Search {
  private:
   const SummandParts& part(Summand s) const { return parts_[static_cast<std::size_t>(s)]; }
 
-  /// Leaves out segments that are where others before them are, where doubles show it. Only edges of equal directions
-  /// have such.
+  /// Where doubles show it.
   void leave_out_copies(std::vector<EdgeAtVertex>& candidates) const {
     if (!are_small_) return;
     std::vector<std::size_t> edges_of_rank(2 * static_cast<std::size_t>(ranks_.half));
     for (const SummandParts& part : parts_)
       for (std::size_t e = 0; e < part.corners.size(); ++e)
         ++edges_of_rank[static_cast<std::size_t>(part.lines[e].rank)];
-    std::unordered_set<std::array<double, 4>, boost::hash<std::array<double, 4>>> seen;
-    std::erase_if(candidates, [&](const EdgeAtVertex& candidate) {
-      const Line& edge = part(candidate.edge_of).lines[candidate.edge];
-      if (edges_of_rank[static_cast<std::size_t>(edge.rank)] == 1) return false;
-      const IntervalPoint from =
-          edge.from->near + part(other(candidate.edge_of)).corners[candidate.vertex].near;
-      return !seen.insert({from.x.low, from.y.low, edge.near_along.x.low, edge.near_along.y.low})
-                  .second;
-    });
+    const auto edge = [&](const EdgeAtVertex& candidate) -> const Line& {
+      return part(candidate.edge_of).lines[candidate.edge];
+    };
+    oplus::leave_out_copies(
+        candidates,
+        [&](const EdgeAtVertex& candidate) {
+          return edges_of_rank[static_cast<std::size_t>(edge(candidate).rank)] > 1;
+        },
+        [&](const EdgeAtVertex& candidate) {
+          const IntervalPoint& along = edge(candidate).near_along;
+          const IntervalPoint from = edge(candidate).from->near +
+                                     part(other(candidate.edge_of)).corners[candidate.vertex].near;
+          return std::array{from.x.low, from.y.low, along.x.low, along.y.low};
+        });
   }
 
   /// All directions and their opposites.

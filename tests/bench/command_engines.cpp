@@ -142,17 +142,9 @@ Command batch(const std::string& pairs, const std::string& sums) {
 }
 
 Command batch_of_parts(const std::string& parts, const std::string& sums) {
-  return {program_beside("oplus"),
-          "batch",
-          "--parts",
-          parts,
-          "--operation",
-          "nfp",
-          "-o",
-          sums,
-          "--threads",
-          "1",
-          "--quiet"};
+  Command command = batch("--parts=" + parts, sums);
+  command.insert(command.end(), {"--operation", "nfp"});
+  return command;
 }
 
 /// Of a no-fit polygon the area alone: places where Q only touches are left out by others.

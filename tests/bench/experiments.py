@@ -501,7 +501,7 @@ def main():
                        "".join(f"\n![{plot_name}]({plot_name}.svg)\n" for plot_name in drawn))
         plots += drawn
         faults += wrong
-    machine = setting(program.context, "", 0)
+    machine = setting(program.context, "")
     write("index.md", f"# Experiments\n\nWritten by `tests/bench/experiments.py`, seed {given.seed}, scale "
           f"{three_digits(given.scale)}, commit {machine['commit']}. {machine['processor']}, {machine['cores']} cores, of "
           f"which one is used; load {three_digits(os.getloadavg()[0])} at its end. The peak resident memory of a "

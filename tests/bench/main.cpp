@@ -1,21 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <CGAL/version.h>
 #include <benchmark/benchmark.h>
 #include <sys/resource.h>
 #include <sys/time.h>
 
 #include <algorithm>
-#include <boost/version.hpp>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <iostream>
-#include <polyclipping/clipper.hpp>
 #include <sstream>
 #include <stdexcept>
 
 #include "checked/timed.hpp"
-#include "properties/compare/peers/method.hpp"
+#include "properties/compare/peers/peer_table.hpp"
 #include "properties/runner/child_process.hpp"
 #include "tests/bench/engine.hpp"
 
@@ -38,7 +34,7 @@ own, and compares. Options of Google Benchmark:
 )";
 
 /// A run that takes longer than this, in seconds, is not repeated.
-constexpr double long_run = 1;
+constexpr double long_run = 0.5;
 
 double limit = 0;
 
@@ -195,22 +191,15 @@ int run(int argc, char** argv) {
   }
   limit = values["limit"];
   Rows rows = benchmark_rows();
+#ifndef OPLUS_CLIPPER2
   for (Row& row : experiment_rows(static_cast<std::uint64_t>(values["seed"]), values["scale"]))
     if (with_faults || row.subject != "faults") rows.push_back(std::move(row));
+#endif
   if (lists) {
     list(rows);
     return 0;
   }
-  benchmark::AddCustomContext("compiler", "GCC " __VERSION__ ", " OPLUS_BENCH_FLAGS);
-  benchmark::AddCustomContext("libraries", "CGAL " CGAL_VERSION_STR ", Clipper " CLIPPER_VERSION
-                                           ", Boost " +
-                                               std::to_string(BOOST_VERSION / 100000) + '.' +
-                                               std::to_string(BOOST_VERSION / 100 % 1000) + '.' +
-                                               std::to_string(BOOST_VERSION % 100));
-  std::string newest = "not built";
-  if (std::ifstream versions(program_beside("../newest/versions")); versions)
-    std::getline(versions, newest);
-  benchmark::AddCustomContext("newest", newest);
+  benchmark::AddCustomContext("libraries", libraries_of_peers() + ", " OPLUS_BENCH_FLAGS);
   register_all(rows);
   if (const auto bytes = static_cast<rlim_t>(1e6 * values["memory"]); bytes > 0) {
     const ::rlimit most{bytes, bytes};

@@ -20,7 +20,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 PROGRAM = ROOT / "build/release/bin/oplus-bench"
 REPETITIONS = 5
-LONG_RUN = 1  # seconds; one that takes longer is not repeated (main.cpp)
+LONG_RUN = 0.5  # seconds; one that takes longer is not repeated (main.cpp)
 OF_GOOGLE_BENCHMARK = {"family_index", "per_family_instance_index", "repetitions", "repetition_index", "threads",
                        "iterations", "real_time", "cpu_time"}
 
@@ -118,24 +118,37 @@ class Engine:
 
 
 class Program:
-    """oplus-bench, and what it can measure."""
+    """oplus-bench, and oplus-bench-newest if that is beside it: what they can measure."""
 
     def __init__(self, path=PROGRAM, options=()):
-        self.command = [str(path), *options]
-        self.context = {}
+        path = Path(path)
+        self.context, self.commands, self.rows, self.engines = {}, {}, [], []
         resource.setrlimit(resource.RLIMIT_CORE, (0, 0))  # a library that crashes leaves no file
-        if not Path(path).is_file():
+        if not path.is_file():
             raise UsageError(f"there is no {path}; `bash tests/run --everything` builds it")
-        listed = subprocess.run([*self.command, "--list"], capture_output=True, text=True)
+        self.add([str(path), *options])
+        if (newest := path.with_name(path.name + "-newest")).is_file():
+            self.context["newest"] = (path.parents[1] / "newest/versions").read_text().strip()
+            self.add([str(newest)])
+
+    def add(self, command):
+        listed = subprocess.run([*command, "--list"], capture_output=True, text=True)
         if listed.returncode != 0:
             raise UsageError(listed.stderr.strip())
-        lines = [line.split("\t") for line in listed.stdout.splitlines()]
-        self.rows = [Row(name, group, what, subject, int(pairs), engines.split())
-                     for is_row, name, group, what, subject, pairs, engines in
-                     (line for line in lines if line[0] == "row")]
-        self.engines = [Engine(name, what, kind, *(flag == "1" for flag in flags))
-                        for _, name, what, kind, flags in (line for line in lines if line[0] == "engine")]
-        self.peak_mb = next((float(line[1]) for line in lines if line[0] == "peak_mb"), 0)  # of a process that idles
+        there = {row.name: row for row in self.rows}
+        for what, *cells in (line.split("\t") for line in listed.stdout.splitlines()):
+            if what == "row":
+                name, group, words, subject, pairs, engines = cells
+                if name in there:
+                    there[name].engines += engines.split()
+                else:
+                    self.rows.append(Row(name, group, words, subject, int(pairs), engines.split()))
+            elif what == "engine":
+                *words, flags = cells
+                self.engines.append(Engine(*words, *(flag == "1" for flag in flags)))
+                self.commands[words[0]] = command
+            elif what == "peak_mb" and not there:
+                self.peak_mb = float(cells[0])  # of a process that idles
 
     def ours(self):
         return {engine.name for engine in self.engines if engine.is_ours}
@@ -150,13 +163,14 @@ class Program:
                        f"--limit={limit}", f"--memory={memory_mb}"]
 
             with errors.open("wb") as to_errors:
-                process = subprocess.Popen(self.command + options, stdout=subprocess.DEVNULL, stderr=to_errors,
+                process = subprocess.Popen(self.commands[engine] + options, stdout=subprocess.DEVNULL, stderr=to_errors,
                                            env={**os.environ, "TMPDIR": folder})
                 peak = waited_for(process)
             m = Measurement(engine, numbers={"peak_mb": peak})
             said = errors.read_text(errors="replace")
             if process.returncode == -signal.SIGALRM:
                 m.outcome, m.note = "over the limit", f"> {plain(limit)} s"
+                m.numbers["limit"] = limit
             elif process.returncode and any(words in said for words in ("bad_alloc", "annot allocate memory",
                                                                         "out of memory")):
                 m.outcome = "out of memory"
@@ -170,7 +184,7 @@ class Program:
 
     def read(self, found, m):
         """What Google Benchmark wrote: the median repetition."""
-        self.context = found["context"]
+        self.context = {**found["context"], **self.context}
         runs = [run for run in found["benchmarks"] if run.get("run_type") == "iteration"]
         errors = [run["error_message"] for run in runs if run.get("error_occurred")]
         if errors or not runs:
@@ -180,6 +194,10 @@ class Program:
         middle = sorted(runs, key=lambda run: run["seconds"])[len(runs) // 2]
         m.numbers = {name: value for name, value in middle.items()
                      if isinstance(value, (int, float)) and name not in OF_GOOGLE_BENCHMARK}
+        for name in ("seconds", "seconds_evaluated"):
+            if name in m.numbers:
+                m.numbers[name + "_least"], m.numbers[name + "_most"] = (
+                    least([run[name] for run in runs]) for least in (min, max))
         m.numbers["busy"] = m.numbers.pop("busy_seconds") / m.numbers["seconds"]
         m.numbers["repetitions"] = 1 if m.numbers["seconds"] > LONG_RUN else len(runs)
         for part in middle.get("label", "").split():
@@ -209,11 +227,12 @@ def waited_for(process):
             raise
 
 
-def measure(program, row, engines, **limits):
-    """Measures these of the row's engines, and prints a table at the same time."""
+def measure(program, row, engines, limit=0, **limits):
+    """Measures these of the row's engines, and prints a table at the same time. The limit is that of other libraries;
+    oplus gets ten times as much."""
     print(f"{row.name}: {row.what}")
     for engine in (name for name in engines if name in row.engines):
-        m = program.measure(row, engine, **limits)
+        m = program.measure(row, engine, limit * 10 if engine in program.ours() else limit, **limits)
         row.measurements.append(m)
         columns = columns_of("ms = 1000 *.seconds; MB = 1 *.peak_mb; vertices = *.sum_vertices; holes = *.sum_holes; "
                              "segments = *.segments; ms evaluated = 1000 *.seconds_evaluated; "
@@ -229,15 +248,15 @@ def measure(program, row, engines, **limits):
                   f"holes of {plain(row.number('sum_holes') or 0)}")
 
 
-def setting(context, command, limit):
+def setting(context, command):
     """The machine and the command of a run."""
     processor = next((line.split(": ", 1)[1] for line in Path("/proc/cpuinfo").read_text().splitlines()
                       if line.startswith("model name") and ": " in line), "unknown processor")
     describe = ["git", "describe", "--always", "--dirty"]
     commit = subprocess.run(describe, cwd=ROOT, capture_output=True, text=True).stdout if shutil.which("git") else ""
-    return {"processor": processor, "cores": os.cpu_count(), "compiler": context.get("compiler", ""),
-            "libraries": context.get("libraries", ""), "newest": context.get("newest", ""), "commit": commit.strip(), "command": command,
-            "limit": limit}
+    return {"processor": processor, "cores": os.cpu_count(), "libraries": context.get("libraries", ""),
+            "newest": context.get("newest", "not built"),
+            "commit": commit.strip(), "command": command}
 
 
 def report(faults):

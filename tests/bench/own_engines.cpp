@@ -116,18 +116,20 @@ std::vector<BenchEngine> own_engines() {
   std::vector<BenchEngine> own;
   for (const Engine& engine : engines()) {
     if (engine.name == "loops") continue;  // rca's arrangement, with more work on it
-    own.push_back(bench_engine(engine.name, "oplus: " + engine.what, engine.compute));
-    if (engine.has_threads)
-      own.push_back(bench_engine(engine.name + '2', "oplus: " + engine.name + " on two threads",
-                                 engine.compute, 2));
+    own.push_back(bench_engine(engine.name, engine.what, engine.compute));
+    own.back().is_of_all_rows = engine.has_threads;
+    if (!engine.has_threads) continue;
+    own.push_back(
+        bench_engine(engine.name + '2', engine.name + " on two threads", engine.compute, 2));
+    own.back().is_of_all_rows = false;
   }
   own.push_back({.name = "slide-open",
-                 .what = "oplus: slide, the open sum",
+                 .what = "slide, the open sum",
                  .prepare = each_pair([](const Row&) {
                    return OpenSums{{slide_sum, Boundary::open, {}}};
                  })});
   own.push_back({.name = "verify",
-                 .what = "oplus: verify, asked about slide's sum",
+                 .what = "verify, asked about slide's sum",
                  .prepare = each_pair([](const Row&) { return Verifying(); })});
   return own;
 }

@@ -2,6 +2,9 @@
 #include "properties/compare/peers/boost_polygon_method.hpp"
 #include "properties/compare/peers/cgal_methods.hpp"
 #include "properties/compare/peers/clipper_method.hpp"
+#ifdef OPLUS_CLIPPER2
+#include "properties/compare/peers/clipper2_method.hpp"
+#endif
 #include "tests/bench/engine.hpp"
 
 namespace oplus {
@@ -28,16 +31,26 @@ BenchEngine engine_of(const std::string& name, const std::string& what) {
 }  // namespace
 
 std::vector<BenchEngine> peer_engines() {
+#ifdef OPLUS_CLIPPER2
+  const std::string which = "-newest";
+#else
+  const std::string which;
+#endif
   return {
-      engine_of<CgalReduced>("cgal-reduced", "CGAL: minkowski_sum_by_reduced_convolution_2"),
-      engine_of<CgalFull>("cgal-full", "CGAL: minkowski_sum_by_full_convolution_2"),
+      engine_of<CgalReduced>("cgal-reduced" + which, "minkowski_sum_by_reduced_convolution_2"),
+      engine_of<CgalFull>("cgal-full" + which, "minkowski_sum_by_full_convolution_2"),
       engine_of<CgalVertical>(
-          "cgal-vertical",
-          "CGAL: minkowski_sum_by_decomposition_2 with Polygon_vertical_decomposition_2"),
-      engine_of<ClipperMethod>(
-          "clipper", "Clipper 6: MinkowskiSum, with the larger summand as its filled path"),
-      engine_of<BoostPolygonMethod>(
-          "boost-polygon", "Boost.Polygon: its Minkowski example, then the polygon set's union"),
+          "cgal-vertical" + which,
+          "minkowski_sum_by_decomposition_2 with Polygon_vertical_decomposition_2"),
+#ifdef OPLUS_CLIPPER2
+      engine_of<Clipper2Method>(
+          "clipper2", "MinkowskiSum and Union with the larger summand, which fills the sum"),
+#else
+      engine_of<ClipperMethod>("clipper",
+                               "MinkowskiSum, with the larger summand as its filled path"),
+      engine_of<BoostPolygonMethod>("boost-polygon",
+                                    "its Minkowski example, then the polygon set's union"),
+#endif
   };
 }
 

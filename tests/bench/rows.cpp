@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/bench/row.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <tuple>
 #include <utility>
@@ -117,32 +118,10 @@ Row small_pairs_row() {
           .make = make_small_pairs};
 }
 
-Row growth_row(std::size_t n) {
-  Row row = pair_of("growth", star, n, star, n);
-  row.name = "growth_" + row.name;
-  row.subject = "growth";
-  return row;
-}
-
-Row command_row(Row row) {
-  row.name = "command_" + row.name;
-  row.group = "commands";
-  row.subject = "commands";
-  return row;
-}
-
-/// `group` is "certificates" for pairs on which CGAL's program is measured beside.
-Row certificate_row(const std::string& group, Row row) {
-  row.name = "certificate_" + row.name;
-  row.group = group;
-  row.subject = "certificates";
-  return row;
-}
-
-Row proved_row(std::size_t n) {
-  Row row = pair_of("proved", star, n, star, n);
-  row.name = "proved_" + row.name;
-  row.subject = "proved";
+/// The row in another section of the page.
+Row in_section(const std::string& subject, const std::string& prefix, Row row) {
+  row.name = prefix + '_' + row.name;
+  row.group = row.subject = subject;
   return row;
 }
 
@@ -154,11 +133,23 @@ Row hard_row(const std::string& family, std::size_t n) {
           .make = [=] { return std::vector<Summands>{generate(*find_family(family), n, 1)}; }};
 }
 
-Row convolution_row(const Kind& kind, std::size_t n) {
-  Row row = pair_of("convolution", kind, n, kind, n);
-  row.name = "convolution_of_" + kind.name + '_' + std::to_string(n);
-  row.subject = row.kind = "convolution";
-  return row;
+/// Tall teeth side by side, and a convex polygon as wide as hundreds of them.
+Row tall_comb_row(long teeth) {
+  const std::string count = std::to_string(teeth);
+  return {.name = "tall_" + count,
+          .group = "hard",
+          .what = "comb of " + count + " tall teeth and a wide convex polygon",
+          .make = [teeth] {
+            constexpr long width = 1000;
+            constexpr long height = 1'000'000;
+            Chain comb = {{0, -width}, {2 * width * teeth, -width}};
+            for (long x = 2 * width * (teeth - 1); x >= 0; x -= 2 * width)
+              for (const auto& [dx, y] : std::initializer_list<std::pair<long, long>>{
+                       {width, 0}, {width, height}, {0, height}, {0, 0}})
+                if (x + dx > 0 || y > 0) comb.push_back({x + dx, y});
+            Random random(1);
+            return std::vector<Summands>{{polygon(std::move(comb)), convex_polygon(random, 20)}};
+          }};
 }
 
 /// Many pairs: Q as it is made, or moved away.
@@ -244,23 +235,15 @@ Rows distance_rows() {
 
 /// The engines for a row.
 std::vector<std::string> engines_for(const Row& row) {
-  if (row.subject == "convolution") return {"traced", "without-points", "naive"};
   if (row.subject == "growth") return {"slide", "slide2"};
   if (row.pairs > 1 && row.subject == "commands") return {"slide", "oplus-batch", "cgal-reduced"};
   if (row.subject == "commands") return {"slide", "oplus-sum", "cgal-sum", "clipper-sum"};
   if (row.subject == "proved") return {"slide", "cgal-reduced", "cgal-full", "oplus-proved"};
+  if (row.subject == "certificates")
+    return {"slide", "oplus-sum", "sum-certificate", "oplus-certified", "cgal-sum"};
   std::vector<std::string> names;
-  if (row.subject == "certificates") {
-    names = {"slide", "oplus-sum", "sum-certificate", "oplus-certified"};
-    if (row.group == "certificates") names.push_back("cgal-sum");
-    return names;
-  }
-  for (const BenchEngine& engine : bench_engines()) {
-    // On short rows this would only measure the start of the second thread.
-    const bool is_for_row =
-        engine.name != "slide2" || row.group == "stars" || row.group == "coastlines";
-    if (engine.kind == "sums" && engine.is_of_all_rows && is_for_row) names.push_back(engine.name);
-  }
+  for (const BenchEngine& engine : bench_engines())
+    if (engine.kind == "sums" && engine.is_of_all_rows) names.push_back(engine.name);
   return names;
 }
 
@@ -280,11 +263,11 @@ Rows benchmark_rows() {
                              const Kind& p, const Kind& q) {
     add(sizes, [&](std::size_t n) { return pair_of(group, p, n, q, 100); });
   };
-  add_pairs("stars", {50, 100, 200, 300}, star, star);
-  add_pairs("simple polygons", {50, 100, 150, 200}, simple, simple);
+  add_pairs("stars", {10, 50, 100, 200, 300, 1000, 3000}, star, star);
+  add_pairs("simple polygons", {10, 50, 100, 200, 500, 1000}, simple, simple);
   add_pairs("convex and star", {50, 200, 500, 980}, convex, star);
   add({10, 20, 50, 100}, fork_and_l_row);
-  add({20, 100, 500}, comb_row);
+  add({20, 100, 500, 2000, 10000}, comb_row);
   for (const std::size_t n : {1000, 5000}) {
     made.push_back(pair_of("coastlines", coast, n, convex, 20));
     made.push_back(pair_of("coastlines", coast, n, star, 100));
@@ -294,45 +277,45 @@ Rows benchmark_rows() {
        std::initializer_list<std::pair<const char*, std::size_t>>{{"outlier", 2000},
                                                                   {"scales", 100},
                                                                   {"fractions", 640},
-                                                                  {"dots", 300},
+                                                                  {"dots", 100},
                                                                   {"sieve", 2500},
                                                                   {"spiral", 20000},
                                                                   {"thin", 1000},
                                                                   {"pockets", 800},
                                                                   {"touching", 100}})
     made.push_back(hard_row(family, n));
-  add({55, 95, 175, 300, 388}, growth_row);
+  made.push_back(tall_comb_row(500));
   for (const std::size_t n : {10'000, 100'000, 1'000'000})
     for (const Kind* const p : {&coast, &maze_kind})
-      for (const std::size_t m : {4, 20, 100}) {
+      for (const std::size_t m : {4, 100}) {
+        if (n * m > 10'000'000) continue;
         Row row = pair_of("growth of " + p->words, *p, n, convex, m);
         row.subject = "growth";
         made.push_back(std::move(row));
       }
-  made.push_back(command_row(pair_of("", convex, 5000, square, 4)));
-  made.push_back(command_row(fork_and_l_row(100)));
-  made.push_back(command_row(pair_of("", coast, 5000, star, 100)));
-  made.push_back(command_row(small_pairs_row()));
-  for (const std::size_t n : {100, 300})
-    made.push_back(certificate_row("certificates", pair_of("", star, n, star, 100)));
-  made.push_back(certificate_row("certificates", pair_of("", simple, 200, simple, 100)));
-  made.push_back(certificate_row("certificates", fork_and_l_row(50)));
-  const std::string growth = "growth of certificates";
-  for (const std::size_t n : {50, 200, 400})
-    made.push_back(certificate_row(growth, pair_of("", star, n, star, n)));
-  for (const std::size_t teeth : {10, 20, 100})
-    made.push_back(certificate_row(growth, fork_and_l_row(teeth)));
-  for (const std::size_t n : {1000, 5000})
-    made.push_back(certificate_row(growth, pair_of("", coast, n, convex, 20)));
-  made.push_back(certificate_row(growth, hard_row("spiral", 4000)));
-  add({30, 60, 100}, proved_row);
-  for (const Kind& kind : {convex, star})
-    add({50, 100, 200, 400}, [&](std::size_t n) { return convolution_row(kind, n); });
+  for (Row& row : std::vector<Row>{pair_of("", convex, 5000, square, 4), fork_and_l_row(100),
+                                   pair_of("", coast, 5000, star, 100), small_pairs_row()})
+    made.push_back(in_section("commands", "command", std::move(row)));
+  for (Row& row :
+       std::vector<Row>{pair_of("", star, 50, star, 50), pair_of("", star, 100, star, 100),
+                        pair_of("", star, 200, star, 200), pair_of("", star, 300, star, 100),
+                        pair_of("", star, 400, star, 400), pair_of("", simple, 200, simple, 100),
+                        fork_and_l_row(10), fork_and_l_row(20), fork_and_l_row(50),
+                        fork_and_l_row(100), pair_of("", coast, 1000, convex, 20),
+                        pair_of("", coast, 5000, convex, 20), hard_row("spiral", 4000)})
+    made.push_back(in_section("certificates", "certificate", std::move(row)));
+  for (const std::size_t n : {30, 60, 100})
+    made.push_back(in_section("proved", "proved", pair_of("", star, n, star, n)));
   for (Row& row : made) row.engines = engines_for(row);
   for (Row& row : distance_rows()) made.push_back(std::move(row));
   for (const char* const instance : {"albano", "blaz1", "dagli", "fu", "jakobs1", "mao", "marques",
                                      "shapes0", "shirts", "swim", "trousers"})
     made.push_back(nesting_row(instance));
+  for (Row& row : made)
+    std::erase_if(row.engines, [](const std::string& name) {
+      return std::ranges::none_of(bench_engines(),
+                                  [&](const BenchEngine& one) { return one.name == name; });
+    });
   return made;
 }
 

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Measures Minkowski sums by oplus, CGAL, Clipper and Boost.Polygon, by oplus-bench: each engine on each row in a process
-of its own; and compares the results.
+"""Measures oplus, CGAL, Clipper, Clipper2 and Boost.Polygon on the same pairs, by oplus-bench and oplus-bench-newest: each
+engine on each row in a process of its own, one after another; and compares the results. `bash docs/renew benchmarks`
+builds both, measures all, and writes docs/benchmarks.md.
 
 Exit code: 0 all exact results are equal, 1 they are not or an engine of oplus crashed or failed, 2 invalid usage.
 Another library that crashes or is too slow is a result."""
@@ -16,13 +17,66 @@ from dataclasses import asdict, dataclass
 from itertools import groupby
 from pathlib import Path
 
-from measuring import (PROGRAM, REPETITIONS, Engine, Measurement, Program, Row, UsageError, instead_of_number, markdown,
-                       measure, plain, report, run, setting, table_of, three_digits)
+import chart
+import large
+import python_calls
+from measuring import (PROGRAM, REPETITIONS, Engine, Measurement, Program, Row, UsageError, instead_of_number,
+                       markdown, measure, plain, report, run, setting, table_of, three_digits)
 
-SUBJECTS = ("sums", "growth", "commands", "certificates", "proved", "distances", "places", "nesting",
-            "convolution")  # the sections of the page
-PEERS_OF_PARTS = ["cgal-nfp", "cgal-nfp-newest", "clipper-nfp", "clipper2-nfp"]
+SUBJECTS = ("sums", "growth", "commands", "certificates", "proved", "distances", "places", "nesting")  # the page's sections
+SCRIPTS = {"large": large.rows, "calls": python_calls.rows}  # rows by these names are not of oplus-bench
+LONGER = {"proved": 3}  # times the limit, as CGAL's full convolution takes longer than the proved program
+BASES = ("oplus-nfp", "oplus-batch", "oplus-sum", "slide")  # what others are compared with: the first that a row has
 TEMPLATE = Path(__file__).parent / "pages/benchmarks.md"
+IN_README = ("star_300_star_100", "fork_50", "small_pairs")
+
+
+@dataclass
+class Ratio:
+    """Of measured numbers, with the least and the most that the repetitions allow. For an engine that was stopped it is
+    a lower bound."""
+    value: float
+    is_lower_bound: bool = False
+    least: float = None
+    most: float = None
+
+    def __str__(self):
+        shown = ("> " if self.is_lower_bound else "") + three_digits(self.value)
+        spread = [three_digits(x) for x in (self.least, self.most) if x is not None]
+        return shown + (f" ({' to '.join(spread)})" if len(set(spread)) > 1 else "")
+
+
+def ratio(row, engine, base, number="seconds"):
+    """The engine's number divided by that of `base`; None if one of them has no such number. Seconds are evaluated if the
+    engine leaves coordinates unevaluated, and "seconds_evaluated" are asked for."""
+    m, of_base = row.of(engine), row.done(base)
+    is_time = number.startswith("seconds")
+    under = of_base.numbers if of_base else {}
+    below = "seconds" if is_time else number
+    if m is None or not under.get(below):
+        return None
+    if m.outcome == "over the limit":
+        over = m.numbers.get("limit" if is_time else number)
+        return Ratio(over / under[below], True) if over else None
+    number = number if number in m.numbers else below
+    if not m.is_done() or number not in m.numbers:
+        return None
+    value = m.numbers[number]
+    least, most = (m.numbers.get(number + end, value) / under.get(below + other_end, under[below])
+                   for end, other_end in (("_least", "_most"), ("_most", "_least")))
+    return Ratio(value / under[below], False, least, most)
+
+
+def smallest(ratios):
+    return min((one for one in ratios if one), key=lambda one: one.value, default=None)
+
+
+def geometric_mean(ratios):
+    """A lower bound if one of them is; None of none."""
+    logarithms = [math.log(one.value) for one in ratios if one]
+    if not logarithms:
+        return None
+    return Ratio(math.exp(sum(logarithms) / len(logarithms)), any(one and one.is_lower_bound for one in ratios))
 
 
 @dataclass
@@ -55,183 +109,137 @@ class Report:
     def named(self, name):
         return [row for row in self.rows if row.name == name]
 
+    def peers(self, exact):
+        return [engine.name for engine in self.engines if not engine.is_ours and engine.rounds != exact]
 
-@dataclass
-class Ratio:
-    """Of measured numbers. For an engine that was stopped it is a lower bound."""
-    value: float
-    is_lower_bound: bool = False
+    def peers_on(self, row):
+        """Of other libraries: engine, ratio of its call, and of that with evaluated coordinates."""
+        base = next((name for name in BASES if row.done(name)), "")
+        return [(name, found, ratio(row, name, base, "seconds_evaluated"))
+                for name in self.peers(True) + self.peers(False) if (found := ratio(row, name, base))]
 
-    def __str__(self):
-        return ("> " if self.is_lower_bound else "") + three_digits(self.value)
-
-
-def ratio(row, number, engine, base, limit):
-    """The engine's number ("seconds" or "peak_mb") divided by that of `base`; None if one of them has no such number.
-    An engine that was stopped took at least `limit` seconds."""
-    m, of_base = row.of(engine), row.number(f"{base}.{number}")
-    if m is None or not of_base:
-        return None
-    stopped = m.outcome == "over the limit"
-    of_engine = limit if stopped and number == "seconds" else m.numbers.get(number)
-    return Ratio(of_engine / of_base, stopped) if (stopped or m.is_done()) and of_engine is not None else None
-
-
-def geometric_mean(ratios):
-    """A lower bound if one of them is."""
-    return Ratio(math.exp(sum(math.log(one.value) for one in ratios) / len(ratios)),
-                 any(one.is_lower_bound for one in ratios))
+    def exact_peer(self, row, number):
+        """The least ratio of the exact ones."""
+        exact, place = self.peers(True), 1 if number == "seconds" else 2
+        return smallest(found[place] for found in self.peers_on(row) if found[0] in exact)
 
 
 # Goals: rows of a table, (text, measured, reached).
 
-def goal(text, measured="", reached=None):
-    return [text, measured, "not measured" if reached is None else "yes" if reached else "**no**"]
-
-
-def at_least(least, text, found, row=""):
-    """A ratio that should be large, and its row. A lower bound below the goal decides nothing."""
-    if found is None:
-        return goal(text)
-    unknown = found.is_lower_bound and found.value < least
-    return goal(text, f"{found}, {row}" if row else str(found), None if unknown else found.value >= least)
-
-
-def none_is_faster(text, rows, limit):
-    """The rows on which another engine takes less time than slide."""
-    found = [(row, m.engine, of_m) for row in rows for m in row.measurements if not m.engine.startswith("slide")
-             and (of_m := ratio(row, "seconds", m.engine, "slide", limit))]
-    faster = "; ".join(f"{row.what}: {engine}, {of_m}" for row, engine, of_m in found
-                       if not of_m.is_lower_bound and of_m.value < 1)
-    return goal(text, faster or "none", not faster) if found else goal(text)
-
-
-def at_most(most, text, rows, limit, engine, spare=0, base="slide"):
-    """The largest quotient of the times of an engine and of `base`, after `spare` seconds are taken off. One that was
-    stopped may be larger."""
-    found = [(Ratio(max(of_row.value - spare / row.number(base + ".seconds"), 0), of_row.is_lower_bound), row)
-             for row in rows if (of_row := ratio(row, "seconds", engine, base, limit))]
+def goal(text, bound, found, at_least=False):
+    """`found` are ratios and what they are of. All of them must be at most the bound, or at least. A lower bound may
+    decide nothing."""
+    found = [(value if isinstance(value, Ratio) else Ratio(value), what) for value, what in found if value is not None]
     if not found:
-        return goal(text)
-    largest, row = max(found, key=lambda one: one[0].value)
-    measured = f"{'' if largest.is_lower_bound else 'at most '}{largest}, {row.what}"
-    unknown = largest.value <= most and any(of_row.is_lower_bound for of_row, _ in found)
-    return goal(text, measured, None if unknown else largest.value <= most)
-
-
-def no_more(most, text, rows, number, factor=1):
-    """The largest of the numbers, multiplied by a factor."""
-    found = [(factor * value, row.what) for row in rows if (value := row.number(number))]
-    if not found:
-        return goal(text)
-    largest, what = max(found, key=lambda one: one[0])
-    return goal(text, f"at most {three_digits(largest)}, {what}", largest <= most)
-
-
-def least_ratio(rows, limit, engine, base):
-    """And its row."""
-    found = [(of_row, row.what) for row in rows if (of_row := ratio(row, "seconds", engine, base, limit))]
-    return min(found, key=lambda one: one[0].value) if found else (None, "")
+        return [text, "", "not measured"]
+    wrong = [one for one in found
+             if (not one[0].is_lower_bound and one[0].value < bound if at_least else one[0].value > bound)]
+    unknown = [one for one in found if one[0].is_lower_bound and (one[0].value < bound if at_least else True)]
+    worst, what = (min if at_least else max)(wrong or found, key=lambda one: one[0].value)
+    count = f"; not on {len(wrong)} of {len(found)}" if wrong and len(found) > 1 else ""
+    return [text, f"{worst}{', ' if what else ''}{what}{count}", "**no**" if wrong else "not measured" if unknown else "yes"]
 
 
 def goals_of(run_report):
-    limit, named, group = run_report.setting["limit"], run_report.named, run_report.group
+    of, named = run_report.of, run_report.named
+    sums, nesting, certificates = of("sums"), of("nesting"), of("certificates")
 
-    def beside_cgal(number, name):
-        return next((ratio(row, number, "cgal-reduced", "slide", limit) for row in named(name)), None)
+    def numbers(rows, path, factor=1):
+        return [(factor * value, row.what) for row in rows if (value := row.number(path)) is not None]
 
-    def as_fast(least, what, name):
-        return at_least(least, f"{what}: at least {least} times as fast as CGAL's reduced convolution",
-                        beside_cgal("seconds", name))
+    def ratios_to(base, engine, rows):
+        return [(ratio(row, engine, base), row.what) for row in rows]
 
-    def little_memory(what, name):
-        return at_least(10, f"{what}: at most a tenth of CGAL's memory", beside_cgal("peak_mb", name))
+    def beyond(spare, base, engine, rows):
+        """After `spare` seconds are taken off."""
+        return [(Ratio(max(found.value - spare / row.number(base + ".seconds"), 0), found.is_lower_bound), row.what)
+                for row in rows if (found := ratio(row, engine, base))]
 
-    sums, certificates = run_report.of("sums"), run_report.of("certificates")
-    published = [of_row for row in group("published")
-                 if (of_row := ratio(row, "seconds", "cgal-reduced", "slide", limit))]
-    checked = group("certificates") if all(row.done("oplus-certified") for row in group("certificates")) else []
-    small_pairs_a_second = next((Ratio(row.pairs / seconds) for row in named("command_small_pairs")
-                                 if (seconds := row.number("oplus-batch.seconds"))), None)
-    two_threads = [of_row for row in run_report.of("growth")
-                   if (of_row := ratio(row, "seconds", "slide", "slide2", limit))]
-    return [
-        as_fast(50, "stars of 300 and 100", "star_300_star_100"),
-        as_fast(25, "stars of 100 and 100", "star_100_star_100"),
-        little_memory("stars of 300 and 100", "star_300_star_100"),
-        little_memory("stars of 100 and 100", "star_100_star_100"),
-        as_fast(25, "simple polygons of 200 and 100", "simple_200_simple_100"),
-        as_fast(8, "fork of 50 teeth and L", "fork_50"),
-        none_is_faster("fork of 50 teeth and L: no engine is faster", named("fork_50"), limit),
-        at_least(10, "published pairs: at least 10 times, geometric mean",
-                 geometric_mean(published) if published else None),
-        at_least(3, "published pairs: none less than 3 times",
-                 *least_ratio(group("published"), limit, "cgal-reduced", "slide")),
-        as_fast(10, "small pairs", "small_pairs"),
-        none_is_faster("no row on which another engine is faster", sums, limit),
-        no_more(3, "sums without holes: at most 3 µs per segment of the reduced convolution",
-                [row for row in run_report.rows if row.group != "hard" and not row.number("slide.sum_holes")],
-                "slide.seconds/slide.segments", 1e6),
-        no_more(10, "hard pairs: at most 10 µs per segment of the reduced convolution", group("hard"),
-                "slide.seconds/slide.segments", 1e6),
-        at_most(1.3, "whole command: at most 1.3 times the call, and 10 ms", run_report.of("commands"), limit,
-                "oplus-sum", 0.01),
-        at_least(20_000, "small pairs, the whole command `oplus batch`: at least 20,000 a second",
-                 small_pairs_a_second),
-        at_most(2, "open sums: at most twice the time of closed ones", sums, limit, "slide-open"),
-        at_most(20, "verify: at most 20 times the time of slide", sums, limit, "verify"),
-        at_least(1.8, "two threads: at least 1.8 times one, on the largest sum of the growth",
-                 two_threads[-1] if two_threads else None),
-        at_least(1, "certificates: checked at least as fast as CGAL's program sums",
-                 *least_ratio(checked, limit, "cgal-sum", "oplus-certified")),
-        at_most(10, "certificates: made in at most 10 times `oplus sum`, and 0.1 s", certificates, limit,
-                "sum-certificate", 0.1, "oplus-sum"),
-        no_more(200, "certificates: at most 200 bytes by gzip per segment of the reduced convolution", certificates,
-                "sum-certificate.zipped_bytes/slide.segments"),
-        no_more(0.3, "the proved program: stars of 30 and 30 in at most 0.3 s", named("proved_star_30_star_30"),
-                "oplus-proved.seconds"),
-        no_more(5, "the proved program: stars of 60 and 60 in at most 5 s", named("proved_star_60_star_60"),
-                "oplus-proved.seconds"),
-        at_least(1, "the proved program: stars of 100 and 100 at least as fast as CGAL's full convolution",
-                 *least_ratio(named("proved_star_100_star_100"), limit, "cgal-full", "oplus-proved")),
-        no_more(500, "distances: at most 500 µs a pair", run_report.of("distances"),
-                "distance.seconds/distance.pairs", 1e6),
-        no_more(500, "depths of parts of swim: at most 500 µs a pair", named("distances_swim_overlapping"),
-                "depth.seconds/depth.pairs", 1e6),
-        no_more(1000, "places: at most 1,000 ns each", run_report.of("places"),
-                "placements.seconds/placements.places", 1e9)]
+    def least(bound, text, found):
+        return goal(text, bound, found, at_least=True)
+
+    goals = []
+    for rows, what, each, mean in ((sums, "pairs", 3, 15), (nesting, "nesting, whole commands", 10, 15)):
+        for number, words in (("seconds_evaluated", ", coordinates evaluated"), ("seconds", ", its call alone")):
+            words = words if rows is sums else ""
+            exact = [(run_report.exact_peer(row, number), row.what) for row in rows]
+            goals += [least(mean, f"{what}: at least {mean} times the faster exact peer, geometric mean{words}",
+                            [(geometric_mean([one for one, _ in exact]), "")]),
+                      least(each, f"{what}: at least {each} times the faster exact peer on each row{words}", exact)]
+            if rows is nesting:
+                break
+    rounding = run_report.peers(exact=False)
+    return goals + [
+        least(1, "pairs: no other library is faster",
+              [(found, f"{row.what}: {name}") for row in sums for name, found, _ in run_report.peers_on(row)]),
+        least(1, "nesting, whole commands: no library that rounds is faster",
+              [(found, f"{row.what}: {name}") for row in nesting for name, found, _ in run_report.peers_on(row)
+               if name in rounding]),
+        goal("sums without holes: at most 1 µs per segment of the reduced convolution", 1,
+             numbers([row for row in run_report.rows if row.group != "hard" and not row.number("slide.sum_holes")],
+                     "slide.seconds/slide.segments", 1e6)),
+        goal("hard pairs: at most 3 µs per segment of the reduced convolution", 3,
+             numbers(run_report.group("hard"), "slide.seconds/slide.segments", 1e6)),
+        goal("open sums: at most 1.5 times the time of closed ones", 1.5, ratios_to("slide", "slide-open", sums)),
+        goal("verify: at most 10 times the time of slide", 10, ratios_to("slide", "verify", sums)),
+        goal("whole command: at most 1.3 times the call, and 5 ms", 1.3, beyond(0.005, "slide", "oplus-sum", of("commands"))),
+        least(50_000, "small pairs, the whole command `oplus batch`: at least 50,000 a second",
+              [(row.pairs / seconds, "") for row in named("command_small_pairs")
+               if (seconds := row.number("oplus-batch.seconds"))]),
+        goal("two polygons of 10 vertices: at most 3 µs in C++", 3,
+             numbers(named("calls_10") + named("calls_convex_10"), "cpp.seconds", 1e6)),
+        goal("two polygons of 10 vertices: at most 6 µs in Python, in a batch call", 6,
+             numbers(named("calls_10") + named("calls_convex_10"), "batch.seconds", 1e6)),
+        least(1.7, "two threads: at least 1.7 times one, from 10,000 vertices on", ratios_to("slide2", "slide", of("growth"))),
+        goal("10^6 vertices: at most 1.2 times the time per vertex of 10^5", 1.2,
+             numbers(of("large"), "large.seconds/small.seconds", large.SMALL / large.LARGE)),
+        goal("10^6 vertices: at most 200 bytes a vertex in sum and verify", 200,
+             numbers(named("large_sum") + named("large_verify"), "large.process_mb/large.vertices", 1e6)),
+        least(1, "certificates: checked at least as fast as CGAL's program sums",
+              ratios_to("oplus-certified", "cgal-sum", certificates)),
+        goal("certificates: made in at most 4 times `oplus sum`, and 0.05 s", 4,
+             beyond(0.05, "oplus-sum", "sum-certificate", certificates)),
+        goal("certificates: at most 100 bytes by gzip per segment of the reduced convolution", 100,
+             numbers(certificates, "sum-certificate.zipped_bytes/slide.segments")),
+        goal("the proved program: stars of 30 and 30 in at most 0.02 s", 0.02,
+             numbers(named("proved_star_30_star_30"), "oplus-proved.seconds")),
+        goal("the proved program: stars of 60 and 60 in at most 0.1 s", 0.1,
+             numbers(named("proved_star_60_star_60"), "oplus-proved.seconds")),
+        least(10, "the proved program: stars of 100 and 100 at least 10 times as fast as CGAL's full convolution",
+              ratios_to("oplus-proved", "cgal-full", named("proved_star_100_star_100"))),
+        goal("distances: at most 50 µs a pair", 50, numbers(of("distances"), "distance.seconds/distance.pairs", 1e6)),
+        goal("depths of parts of swim: at most 250 µs a pair", 250,
+             numbers(named("distances_swim_overlapping"), "depth.seconds/depth.pairs", 1e6)),
+        goal("places: at most 500 ns each", 500, numbers(of("places"), "placements.seconds/placements.places", 1e9))]
 
 
 # The page.
 
-def ratios(rows, engines, limit, first, number, base="slide"):
-    """A line per row, and one of geometric means per group of several rows; rows without a ratio to `base` do not count
-    for the means."""
+def faster(run_report):
+    """The rows on which another library takes less time, the most at first."""
+    rows = [row for subject in ("sums", "nesting", "commands") for row in run_report.of(subject)]
+    found = sorted(((found.value, row.what, name, str(found), str(evaluated)) for row in rows
+                    for name, found, evaluated in run_report.peers_on(row) if not found.is_lower_bound and found.value < 1))
+    return markdown(["row", "engine", "its time / oplus's", "with coordinates evaluated"],
+                    [cells for _, *cells in found]) if found else "None was measured."
+
+
+def ratios(rows, columns, first, of_row, instead=None):
+    """A line per row, and one of geometric means per group of several rows. `of_row` gives a ratio or None."""
     head = table_of([], first).splitlines()[0].strip("| ").split(" | ")
     lines = []
     for group, of_group in groupby(rows, key=lambda row: row.group):
         of_group = list(of_group)
-        found = {engine: [ratio(row, number, engine, base, limit) for row in of_group] for engine in engines}
-        for i, row in enumerate(of_group):
+        found = [[of_row(row, column) for column in columns] for row in of_group]
+        for row, ratios_there in zip(of_group, found):
             begin = table_of([row], first).splitlines()[2].removeprefix("| ").removesuffix(" |").split(" | ")
-            lines.append(begin + [str(found[engine][i]) if found[engine][i] else instead_of_number(row.of(engine))
-                                  for engine in engines])
+            lines.append(begin + [str(one) if one else instead_of_number(row.of(column))
+                                  for one, column in zip(ratios_there, columns)])
         if len(of_group) > 1:
-            means = [geometric_mean(there) if (there := [one for one in found[engine] if one]) else None
-                     for engine in engines]
+            means = [geometric_mean(column) for column in zip(*found)]
             lines.append([f"*{group}, geometric mean*"] + [""] * (len(head) - 1) +
                          [f"*{mean}*" if mean else "" for mean in means])
-    return markdown(head + engines, lines)
-
-
-def throughput(rows, engines):
-    lines = []
-    for row in (row for row in rows if row.pairs > 1):
-        for engine in engines:
-            rates = [three_digits(row.pairs / seconds) if (seconds := row.number(f"{engine}.{number}")) else ""
-                     for number in ("seconds", "seconds_evaluated")]
-            lines.append([engine, rates[0] or instead_of_number(row.of(engine)), rates[1]])
-    return markdown(["engine", "pairs per second", "with coordinates evaluated"], lines)
+    return markdown(head + columns, lines)
 
 
 def remarks(rows):
@@ -247,44 +255,53 @@ def remarks(rows):
 
 def page(run_report, template):
     """{{name}} becomes a text, and {{#name}}, lines of columns, {{/name}} a table."""
-    rows, limit = run_report.rows, run_report.setting["limit"]
-    sums = run_report.of("sums")
-    listed = [engine for engine in run_report.engines if engine.kind == "sums" and engine.is_of_all_rows
-              and engine.name != "slide2" and any(row.of(engine.name) for row in sums)]
+    rows, sums, nesting = run_report.rows, run_report.of("sums"), run_report.of("nesting")
+    sections = [[engine for engine in sorted(run_report.engines, key=lambda engine: engine.rounds)
+                 if any(row.of(engine.name) for row in of_section)] for of_section in (sums, nesting)]
+    listed, of_parts = sections[0], [engine.name for engine in sections[1] if engine.name not in ("slide", "oplus-nfp")]
     engines = [engine.name for engine in listed]
-    others = [engine.name for engine in listed if engine.name != "slide"]
+    others = [name for name in engines if name != "slide"]
     lazy = [name for name in others if any(row.number(name + ".seconds_evaluated") for row in sums)]
-    done = [m for row in rows for m in row.measurements if m.is_done()]
+    done = [m for row in rows for m in row.measurements if m.is_done() and "busy" in m.numbers]
     compared = [row for row in rows if len(row.exact()) > 1]
 
-    def where_done(of, *names):
-        return [row for row in of if all(row.done(name) for name in names)]
+    def beside(base, number):
+        return lambda row, engine: (run_report.exact_peer(row, number) if engine == "exact peer" else
+                                    ratio(row, engine, base, number))
 
-    nesting = run_report.of("nesting")
-    texts = {"newest": "", **{name: str(value) for name, value in run_report.setting.items()},
-             "limit": plain(limit), "repetitions": str(REPETITIONS), "measured": str(len(done)),
-             "busy": str(sum(m.numbers.get("busy", 0) >= 0.95 for m in done)), "compared": str(len(compared)),
+    def memory(row, engine):
+        found = ratio(row, engine, "slide", "peak_mb")
+        return found and Ratio(found.value, found.is_lower_bound)
+
+    texts = {**{name: str(value) for name, value in run_report.setting.items()},
+             "repetitions": str(REPETITIONS), "measured": str(len(done)),
+             "busy": str(sum(m.numbers["busy"] >= 0.95 for m in done)), "compared": str(len(compared)),
              "equal": str(sum(not row.disagreement() for row in compared)), "remarks": remarks(rows),
              "engines": "\n".join(f"- `{engine.name}`: {engine.what}." for engine in listed),
-             "goals": markdown(["goal", "measured", "reached"], goals_of(run_report)),
-             "throughput": throughput(sums, engines),
-             "ratios": ratios(sums, others, limit, "time / slide = what", "seconds"),
-             "nesting": ratios(nesting, PEERS_OF_PARTS, limit, "no-fit polygons of all pairs = what; calls alone, ms = "
-                               "1000 slide.seconds; oplus batch, ms = 1000 oplus-nfp.seconds", "seconds", "oplus-nfp"),
-             "memory": ratios(sums, others, limit, "memory / slide = what; slide, MB = 1 slide.peak_mb", "peak_mb")}
+             "goals": markdown(["goal", "measured", "reached"], goals_of(run_report)), "faster": faster(run_report),
+             "ratios": ratios(sums, ["exact peer", *others], "time / slide = what", beside("slide", "seconds")),
+             "evaluated": ratios(sums, ["exact peer", *lazy], "time / slide = what", beside("slide", "seconds_evaluated")),
+             "nesting": ratios(nesting, ["exact peer", *of_parts], "no-fit polygons of all pairs = what; calls alone, ms = "
+                               "1000 slide.seconds; oplus batch, ms = 1000 oplus-nfp.seconds", beside("oplus-nfp", "seconds")),
+             "memory": ratios(sums, others, "memory / slide = what; slide, MB = 1 slide.peak_mb", memory)}
     tables = {"sums": (sums, engines), "lazy_engines": (sums, lazy),
               "rounding_engines": (sums, [engine.name for engine in listed if engine.rounds]),
-              "growth": (where_done(run_report.of("growth"), "slide"), ()),
-              "commands": (run_report.of("commands"), ()), "certificates": (run_report.of("certificates"), ()),
-              "proved": (run_report.of("proved"), ()),
-              "distances": (run_report.of("distances"), ()), "places": (run_report.of("places"), ()),
-              "nesting_peers": (nesting, PEERS_OF_PARTS),
-              "threads": (where_done(rows, "slide", "slide2"), ()),
-              "convolutions": (where_done(rows, "traced", "naive"), ())}
+              "nesting_peers": (nesting, of_parts),
+              **{subject: (run_report.of(subject), ()) for subject in (*SUBJECTS[1:-1], *SCRIPTS)}}
     with_tables = re.sub(r"\{\{#(\w+)\}\}\n(.*?)\{\{/\1\}\}",
                          lambda found: table_of(tables[found[1]][0], found[2], tables[found[1]][1]), template,
                          flags=re.DOTALL)
     return re.sub(r"\{\{(\w+)\}\}", lambda found: texts[found[1]], with_tables)
+
+
+def readme(run_report, text):
+    """With the ratios of some rows in its table."""
+    table = [[row.what, three_digits(1000 * row.number("slide.seconds"))] +
+             [str(found or "").split(" (")[0]
+              for found in (run_report.exact_peer(row, "seconds"), ratio(row, "clipper2", "slide"))]
+             for name in IN_README for row in run_report.named(name) if row.done("slide")]
+    head = ["sum", "oplus, ms", "the faster CGAL, exact", "Clipper2, which rounds"]
+    return re.sub(r"(?m)^\| sum \| oplus.*\n(\|.*\n)+", lambda _: markdown(head, table) + "\n", text)
 
 
 # The command.
@@ -296,32 +313,37 @@ def chosen_rows(program, pattern):
                 and (row.subject in SUBJECTS or pattern == row.name)]
     except re.error as wrong:
         raise UsageError(f"--rows: {wrong}") from None
-    if not rows:
+    if not rows and not any(re.fullmatch(pattern, name) for name in SCRIPTS):
         raise UsageError(f"no row matches {pattern}")
     return rows
 
 
 def chosen_engines(program, rows, names):
-    offered = list(dict.fromkeys(engine.name for engine in program.engines
-                                 if any(engine.name in row.engines for row in rows)))
     for name in names or ():
-        if name not in [engine.name for engine in program.engines]:
+        if name not in program.commands:
             raise UsageError(f"unknown engine {name}; --list shows all")
-    return [name for name in names or offered]
+    return names or list(dict.fromkeys(engine.name for engine in program.engines
+                                       if any(engine.name in row.engines for row in rows)))
 
 
 def measured_report(given, program, command):
     rows = chosen_rows(program, given.rows)
     engines = chosen_engines(program, rows, given.engines and given.engines.split(","))
     run_report = Report({}, program.engines, [])
-    for row in rows:
-        if not set(row.engines) & set(engines):
-            continue
-        measure(program, row, engines, limit=given.limit, min_time=given.min_time)
-        run_report.rows.append(row)
-        run_report.setting = setting(program.context, command, given.limit)
+
+    def keep(*measured):
+        run_report.rows += measured
+        run_report.setting = setting(program.context, command)
         if given.json:  # an interrupted run keeps what it has measured
             given.json.write_text(run_report.to_json(), encoding="utf-8")
+
+    for row in rows:
+        if set(row.engines) & set(engines):
+            measure(program, row, engines, limit=given.limit * LONGER.get(row.subject, 1), min_time=given.min_time)
+            keep(row)
+    for name, rows_by in SCRIPTS.items():
+        if re.fullmatch(given.rows, name) and not given.engines:
+            keep(*rows_by(given.program.parent))
     if not run_report.rows:
         raise UsageError("no row has such an engine")
     return run_report
@@ -341,41 +363,44 @@ def command_of(parser, given):
         value = getattr(given, name)
         if value != parser.get_default(name):
             words += ["--" + name.replace("_", "-"), plain(value) if isinstance(value, float) else value]
-    return shlex.join(words)
+    return shlex.join(words) if len(words) > 2 else "bash docs/renew benchmarks"
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--rows", metavar="REGEX", default=".*", help="only rows whose whole name matches")
     parser.add_argument("--engines", metavar="LIST", help="only these engines, separated by commas")
-    parser.add_argument("--limit", type=positive, default=60.0, help="seconds after which a run is stopped (60)")
-    parser.add_argument("--min-time", type=float, default=0.5,
-                        help="least total seconds of an engine's runs (0.5); a run of more than a second is not repeated")
+    parser.add_argument("--limit", type=positive, default=4.0,
+                        help="seconds after which a run of another library is stopped (4); of oplus, after ten times as many")
+    parser.add_argument("--min-time", type=float, default=0.2,
+                        help="least total seconds of an engine's runs (0.2); a run of more than half a second is not repeated")
     parser.add_argument("--list", action="store_true", help="list the rows and the engines")
     parser.add_argument("--json", metavar="FILE", type=Path, help="write the measurements to FILE")
-    parser.add_argument("--markdown", metavar="FILE", type=Path, help="write a page like docs/benchmarks.md to FILE")
-    parser.add_argument("--from", metavar="FILE", dest="files", nargs="+",
-                        help="measure nothing, read what --json wrote")
+    parser.add_argument("--page", metavar="FOLDER", type=Path,
+                        help="write benchmarks.md and benchmarks/sizes.svg there, and the ratios in README.md beside it")
+    parser.add_argument("--from", metavar="FILE", dest="file", help="measure nothing, read what --json wrote")
     parser.add_argument("--program", metavar="FILE", type=Path, default=PROGRAM, help=f"oplus-bench ({PROGRAM})")
     given = parser.parse_args()
-    if given.files:
-        reports = [Report.read(path) for path in given.files]
-        run_report = reports[0]
-        for other in reports[1:]:
-            run_report.rows += other.rows
+    if given.file:
+        run_report = Report.read(given.file)
     else:
         program = Program(given.program, ["--with-faults"] if given.rows.startswith("faults_") else [])
         if given.list:
             for row in chosen_rows(program, given.rows):
                 print(f"{row.name}: {row.what}")
-            print("engines")
+            print(*SCRIPTS, "engines", sep="\n")
             for engine in program.engines:
                 print(f"  {engine.name}: {engine.what}")
             return 0
         run_report = measured_report(given, program, command_of(parser, given))
-    if given.markdown:
-        given.markdown.write_text(page(run_report, TEMPLATE.read_text(encoding="utf-8")), encoding="utf-8")
-    ours = {engine.name for engine in run_report.engines if engine.is_ours}
+    if given.page:
+        (given.page / "benchmarks").mkdir(exist_ok=True)
+        chart.draw(run_report, given.page / "benchmarks/sizes.svg")
+        (given.page / "benchmarks.md").write_text(page(run_report, TEMPLATE.read_text(encoding="utf-8")), encoding="utf-8")
+        beside = given.page.resolve().parent / "README.md"
+        if beside.is_file():
+            beside.write_text(readme(run_report, beside.read_text(encoding="utf-8")), encoding="utf-8")
+    ours = {engine.name for engine in run_report.engines if engine.is_ours} | {"small", "large"}  # those of large.py
     return report([fault for row in run_report.rows for fault in row.faults(ours)])
 
 

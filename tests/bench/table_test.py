@@ -13,13 +13,17 @@ from pathlib import Path
 from unittest import mock
 
 sys.path.insert(0, str(Path(__file__).parent))
+import chart
 import experiments
+import large
 import measuring
 import table
 from measuring import Engine, Measurement, Program, Row, UsageError
 
-ENGINES = [Engine(name, f"what {name} is", "sums", name not in ("cgal-reduced", "clipper"), name == "clipper", True)
-           for name in ("slide", "rca", "cgal-reduced", "clipper", "verify")]
+PEERS = ("cgal-reduced", "cgal-full-newest", "cgal-nfp", "cgal-sum")
+ROUNDING = ("clipper", "clipper2", "clipper2-nfp")
+ENGINES = [Engine(name, f"what {name} is", "sums", name not in PEERS + ROUNDING, name in ROUNDING, True)
+           for name in ("slide", "rca", "verify", "oplus-nfp", *PEERS, *ROUNDING)]
 
 
 def of(engine, seconds, outcome="done", note="", digest="a", area="2", **numbers):
@@ -27,8 +31,8 @@ def of(engine, seconds, outcome="done", note="", digest="a", area="2", **numbers
                        {"seconds": seconds, "peak_mb": 1, "segments": 1e6, "busy": 1, **numbers})
 
 
-def stopped(engine):
-    return of(engine, 0, "over the limit", "> 60 s", "", "")
+def stopped(engine, limit=60):
+    return Measurement(engine, "over the limit", f"> {limit} s", numbers={"peak_mb": 1, "limit": limit})
 
 
 def row(name, *measurements, group="", subject="sums"):
@@ -36,8 +40,8 @@ def row(name, *measurements, group="", subject="sums"):
 
 
 def run_of(*rows):
-    setting = {name: name for name in ("processor", "cores", "compiler", "libraries", "commit", "command")}
-    return table.Report({**setting, "limit": 60}, ENGINES, list(rows))
+    setting = {name: name for name in ("processor", "cores", "libraries", "commit", "command")}
+    return table.Report({**setting, "newest": "CGAL 6.2.1, Clipper2 2.0.1"}, ENGINES, list(rows))
 
 
 class Text(unittest.TestCase):
@@ -82,80 +86,91 @@ class Comparison(unittest.TestCase):
 
     def test_ratios(self):
         one = row("r", of("slide", 2), of("rca", 5), stopped("cgal-reduced"), of("clipper", 0, "crashed"))
-        self.assertEqual([str(table.ratio(one, "seconds", name, "slide", 60)) for name in
-                          ("rca", "cgal-reduced", "clipper", "verify")], ["2.50", "> 30.0", "None", "None"])
-        self.assertEqual(str(table.geometric_mean([table.Ratio(2), table.Ratio(8, True)])), "> 4.00")
+        self.assertEqual([str(table.ratio(one, name, "slide")) for name in ("rca", "cgal-reduced", "clipper", "verify")],
+                         ["2.50", "> 30.0", "None", "None"])
+        self.assertEqual(str(table.ratio(one, "cgal-reduced", "slide", "peak_mb")), "> 1.00")
+        self.assertEqual(str(table.geometric_mean([table.Ratio(2), None, table.Ratio(8, True)])), "> 4.00")
+        self.assertIsNone(table.geometric_mean([None]))
+
+    def test_a_ratio_has_the_spread_of_the_repetitions(self):
+        spread = row("r", of("slide", 2, seconds_least=1, seconds_most=4),
+                     of("rca", 12, seconds_least=8, seconds_most=20, seconds_evaluated=16, seconds_evaluated_most=40))
+        self.assertEqual(str(table.ratio(spread, "rca", "slide")), "6.00 (2.00 to 20.0)")
+        self.assertEqual(str(table.ratio(spread, "rca", "slide", "seconds_evaluated")), "8.00 (4.00 to 40.0)")
+        self.assertEqual(str(table.Ratio(3, False, 3, 3.001)), "3.00")
+
+    def test_the_faster_exact_peer(self):
+        report = run_of(row("r", of("slide", 1), of("cgal-reduced", 4, seconds_evaluated=7), of("clipper", 2, digest=""),
+                            of("cgal-full-newest", 5, seconds_evaluated=6)), row("s", of("slide", 1), stopped("cgal-reduced")))
+        self.assertEqual([str(report.exact_peer(report.rows[0], number)) for number in ("seconds", "seconds_evaluated")],
+                         ["4.00", "6.00"])
+        self.assertEqual(str(report.exact_peer(report.rows[1], "seconds")), "> 60.0")
 
 
 class Goals(unittest.TestCase):
     def assert_goal(self, words, measured, reached, *rows):
         found = [cells for cells in table.goals_of(run_of(*rows)) if words in cells[0]]
-        self.assertEqual(found[0][1:], [measured, reached])
+        self.assertEqual([cells[1:] for cells in found], [[measured, reached]])
 
     def test_without_a_run(self):
-        goals = table.goals_of(run_of())
-        self.assertEqual(len(goals), 27)
-        self.assertEqual({cells[2] for cells in goals}, {"not measured"})
+        self.assertEqual({cells[2] for cells in table.goals_of(run_of())}, {"not measured"})
 
-    def test_at_their_number(self):
-        def beside_cgal(name, *measurements):
-            return row(name, of("slide", 1), *measurements)
-        self.assert_goal("small pairs: at", "10.0", "yes", beside_cgal("small_pairs", of("cgal-reduced", 10)))
-        self.assert_goal("small pairs: at", "9.90", "**no**", beside_cgal("small_pairs", of("cgal-reduced", 9.9)))
-        stars = "stars of 300 and 100: at least"
-        self.assert_goal(stars, "> 60.0", "yes", beside_cgal("star_300_star_100", stopped("cgal-reduced")))
-        self.assert_goal(stars, "> 30.0", "not measured",
-                         row("star_300_star_100", of("slide", 2), stopped("cgal-reduced")))
-        self.assert_goal("no row", "none", "yes", beside_cgal("comb", of("clipper", 1)))
-        self.assert_goal("no row", "comb: clipper, 0.500", "**no**", beside_cgal("comb", of("clipper", 0.5)))
+    def test_at_their_bound(self):
+        for values, at_least, measured, reached in (
+                ((3,), True, "3.00, a", "yes"), ((3, 2.9), True, "2.90, b; not on 1 of 2", "**no**"),
+                ((3,), False, "3.00, a", "yes"), ((3, 3.1), False, "3.10, b; not on 1 of 2", "**no**"),
+                ((4, table.Ratio(2, True)), True, "> 2.00, b", "not measured"), ((4, table.Ratio(3, True)), True, "> 3.00, b", "yes"),
+                ((1, table.Ratio(2, True)), True, "1.00, a; not on 1 of 2", "**no**"),
+                ((1, table.Ratio(2, True)), False, "> 2.00, b", "not measured"),
+                ((1, table.Ratio(4, True)), False, "> 4.00, b; not on 1 of 2", "**no**"), ((None,), True, "", "not measured")):
+            self.assertEqual(table.goal("", 3, list(zip(values, "ab")), at_least)[1:], [measured, reached])
+
+    def test_of_pairs_and_nesting(self):
+        pairs = [row("a", of("slide", 1), of("cgal-reduced", 2, seconds_evaluated=10), of("clipper", 0.5, digest="")),
+                 row("b", of("slide", 1), of("cgal-reduced", 50))]
+        self.assert_goal("pairs: at least 15 times the faster exact peer, geometric mean, its", "10.0", "**no**", *pairs)
+        self.assert_goal("pairs: at least 15 times the faster exact peer, geometric mean, coord", "22.4", "yes", *pairs)
+        self.assert_goal("pairs: at least 3 times the faster exact peer on each row, its", "2.00, a; not on 1 of 2", "**no**", *pairs)
+        self.assert_goal("pairs: no other", "0.500, a: clipper; not on 1 of 3", "**no**", *pairs)
+        nesting = [row(name, of("slide", 0.1), of("oplus-nfp", 1), of("cgal-nfp", seconds), of("clipper2-nfp", 3, digest=""),
+                       subject="nesting") for name, seconds in (("c", 12), ("d", 27))]
+        self.assert_goal("nesting, whole commands: at least 15", "18.0", "yes", *nesting)
+        self.assert_goal("nesting, whole commands: at least 10", "12.0, c", "yes", *nesting)
+        self.assert_goal("nesting, whole commands: no", "3.00, c: clipper2-nfp", "yes", *nesting)
 
     def test_per_segment(self):
         for seconds, holes, group, words, measured, reached in (
-                (3, 0, "", "without holes", "at most 3.00, r", "yes"),
-                (3.1, 0, "", "without holes", "at most 3.10, r", "**no**"),
-                (3.1, 1, "", "without holes", "", "not measured"),
-                (10, 0, "hard", "hard pairs", "at most 10.0, r", "yes"),
-                (11, 0, "hard", "hard pairs", "at most 11.0, r", "**no**"),
-                (11, 0, "combs", "hard pairs", "", "not measured")):
+                (1, 0, "", "without holes", "1.00, r", "yes"), (1.1, 0, "", "without holes", "1.10, r", "**no**"),
+                (1.1, 1, "", "without holes", "", "not measured"), (3, 0, "hard", "hard pairs", "3.00, r", "yes"),
+                (11, 0, "combs", "hard pairs", "", "not measured"), (11, 0, "hard", "without holes", "", "not measured")):
             self.assert_goal(words, measured, reached, row("r", of("slide", seconds, sum_holes=holes), group=group))
 
-    def test_what_is_at_most(self):
-        for command, measured, reached in ((1.31, "at most 1.30, r", "yes"), (1.4, "at most 1.39, r", "**no**")):
+    def test_of_commands_large_regions_and_small_calls(self):
+        for command, measured, reached in ((1.305, "1.30, r", "yes"), (1.4, "1.40, r", "**no**")):
             self.assert_goal("whole command: at", measured, reached,
                              row("r", of("slide", 1), of("oplus-sum", command), subject="commands"))
-        both = row("r", of("slide", 1), of("slide-open", 2.5), of("verify", 19))
-        self.assert_goal("open sums", "at most 2.50, r", "**no**", both)
-        self.assert_goal("verify", "at most 19.0, r", "yes", both)
-        self.assert_goal("verify", "at most 19.0, r", "not measured", both, row("d", of("slide", 6), stopped("verify")))
-        self.assert_goal("verify", "> 30.0, d", "**no**", both, row("d", of("slide", 2), stopped("verify")))
+        many = row("command_small_pairs", of("slide", 0.01), of("oplus-batch", 0.05), subject="commands")
+        many.pairs = 2000
+        self.assert_goal("small pairs, the whole command", "40,000", "**no**", many)
+        self.assert_goal("made", "10.0, c", "**no**", row("c", of("oplus-sum", 1), of("sum-certificate", 10.05), subject="certificates"))
+        self.assert_goal("checked", "0.500, c", "**no**", row("c", of("cgal-sum", 1), of("oplus-certified", 2), subject="certificates"))
+        self.assert_goal("of 10 vertices: at most 6", "5.00, calls_10", "yes", row("calls_10", of("batch", 5e-6), subject="calls"))
+        verify = row("large_verify", of("small", 1), of("large", 13, process_mb=300, vertices=1e6), subject="large")
+        self.assert_goal("time per vertex", "1.30, large_verify", "**no**", verify)
+        self.assert_goal("bytes a vertex", "300, large_verify", "**no**", verify)
+        grown = row("g", of("slide", 3), of("slide2", 2), subject="growth")
+        self.assert_goal("two threads", "1.50, g", "**no**", grown)
 
-    def test_published_pairs_and_certificates(self):
-        pairs = [row(name, of("slide", 1), of("cgal-reduced", seconds), group="published")
-                 for name, seconds in (("a", 2.5), ("b", 50))]
-        self.assert_goal("geometric mean", "11.2", "yes", *pairs)
-        self.assert_goal("none less", "2.50, a", "**no**", *pairs)
 
-        def checked(*measurements):
-            return row("c", of("cgal-sum", 1), *measurements, group="certificates", subject="certificates")
-        self.assert_goal("checked", "0.500, c", "**no**", checked(of("oplus-certified", 2)))
-        self.assert_goal("checked", "", "not measured", checked(of("oplus-certified", 1)),
-                         checked(of("oplus-certified", 1, "unsupported")))
-        self.assert_goal("made", "at most 10.1, c", "**no**",
-                         checked(of("oplus-sum", 1), of("sum-certificate", 10.2)))
-        self.assert_goal("gzip", "at most 200, c", "yes",
-                         checked(of("slide", 1), of("sum-certificate", 1, zipped_bytes=200e6)))
-
-    def test_the_proved_program(self):
-        for name, seconds, measured, reached in (("star_30_star_30", 0.3, "at most 0.300, proved_star_30_star_30", "yes"),
-                                                 ("star_30_star_30", 0.31, "at most 0.310, proved_star_30_star_30", "**no**"),
-                                                 ("star_60_star_60", 5.1, "at most 5.10, proved_star_60_star_60", "**no**")):
-            self.assert_goal(f"stars of {name[5:7]} and {name[5:7]} in", measured, reached,
-                             row("proved_" + name, of("oplus-proved", seconds), subject="proved"))
-        for other, measured, reached in ((of("cgal-full", 4), "2.00, proved_star_100_star_100", "yes"),
-                                         (of("cgal-full", 1), "0.500, proved_star_100_star_100", "**no**"),
-                                         (stopped("cgal-full"), "> 30.0, proved_star_100_star_100", "yes")):
-            self.assert_goal("CGAL's full", measured, reached,
-                             row("proved_star_100_star_100", of("oplus-proved", 2), other, subject="proved"))
+class Drawing(unittest.TestCase):
+    def test_has_a_curve_for_each_library_that_was_measured(self):
+        report = run_of(*(row(f"star_{n}", of("slide", 1e-6 * n, m=n), of("clipper2", 1e-3 * n, m=n, digest=""),
+                              of("cgal-reduced", 0.001, m=n), of("cgal-full-newest", 3, m=n, seconds_evaluated=5),
+                              stopped("clipper"), group="stars") for n in (10, 20)))
+        script = chart.script(report, "x.svg")
+        self.assertEqual(re.findall('linestyle . title "(.*?)"', script), ["oplus", "CGAL", "CGAL 6.2.1", "Clipper2 2.0.1"])
+        self.assertIn("<< EOD\n10 5\n20 5\nEOD", script)
+        self.assertNotIn("nesting", script)
 
 
 class Page(unittest.TestCase):
@@ -171,15 +186,36 @@ class Page(unittest.TestCase):
     def test_has_means_of_groups(self):
         self.assertIn("| two squares | 1.00 | 1.00 | crashed: signal 11 | 1.00 |\n| three | 1.00 | 1.00 |  |  |\n"
                       "| *g, geometric mean* |  | *1.00* |  | *1.00* |", table.page(self.REPORT, "{{memory}}"))
-        self.assertIn("| three | 4.00 |  |  |\n| *g, geometric mean* | *2.00* |  | *2.00* |",
-                      table.page(self.REPORT, "{{ratios}}"))
+        self.assertIn("| three | 3.00 | 4.00 | 3.00 |  |\n| *g, geometric mean* | *3.00* | *2.00* | *3.00* | *2.00* |",
+                      table.page(run_of(*self.REPORT.rows[:1], row("three", of("slide", 1), of("rca", 4), of("cgal-reduced", 3),
+                                                                  group="g")), "{{ratios}}"))
+
+    def test_begins_with_what_is_slower(self):
+        rows = [row("x", of("slide", 2), of("clipper", 1, digest="")),
+                row("y", of("slide", 4), of("cgal-reduced", 1, seconds_evaluated=6), of("cgal-full-newest", 9)),
+                row("z", of("oplus-nfp", 2), of("slide", 0.1), of("cgal-nfp", 1.9), subject="nesting"),
+                row("slower", of("slide", 2), of("clipper", 2.1, digest=""), stopped("cgal-reduced", 1)),
+                row("outside", of("slide", 2), of("clipper", 1), subject="proved")]
+        self.assertEqual(table.faster(run_of(*rows)).splitlines()[2:],
+                         ["| y | cgal-reduced | 0.250 | 1.50 |", "| x | clipper | 0.500 | 0.500 |", "| z | cgal-nfp | 0.950 | 0.950 |"])
+        self.assertEqual(table.faster(self.REPORT), "None was measured.")
+        page = table.page(run_of(*rows), table.TEMPLATE.read_text())
+        self.assertLess(page.index("| y | cgal-reduced |"), page.index("## Goals"))
+
+    def test_readme_has_three_ratios(self):
+        rows = [row(name, of("slide", 0.5), of("cgal-reduced", 2, seconds_most=4), of("clipper2", 1, digest=""))
+                for name in table.IN_README]
+        text = table.readme(run_of(*rows), "a\n\n| sum | oplus | b |\n|---|---|---|\n| c | d | e |\n\nf\n")
+        self.assertEqual(text.splitlines()[:5], ["a", "", "| sum | oplus, ms | the faster CGAL, exact | Clipper2, which rounds |", "|---|---|---|---|",
+                                                 "| star_300_star_100 | 500 | 4.00 | 2.00 |"])
+        self.assertTrue(text.endswith("2.00 |\n\nf\n"))
 
     def test_no_fit_polygons_are_compared_with_the_whole_command(self):
         rows = [row(name, of("slide", 0.1), of("oplus-nfp", 0.5), of("cgal-nfp", seconds),
                     of("clipper2-nfp", 0.25, digest="", sum_holes=2), group="nesting", subject="nesting")
                 for name, seconds in (("a", 1), ("b", 4))]
-        self.assertIn("| a | 100 | 500 | 2.00 |  |  | 0.500 |\n| b | 100 | 500 | 8.00 |  |  | 0.500 |\n"
-                      "| *nesting, geometric mean* |  |  | *4.00* |  |  | *0.500* |", table.page(run_of(*rows), "{{nesting}}"))
+        self.assertIn("| a | 100 | 500 | 2.00 | 2.00 | 0.500 |\n| b | 100 | 500 | 8.00 | 8.00 | 0.500 |\n"
+                      "| *nesting, geometric mean* |  |  | *4.00* | *4.00* | *0.500* |", table.page(run_of(*rows), "{{nesting}}"))
         self.assertIn("| clipper2-nfp, holes | MB |", table.page(run_of(*rows), table.TEMPLATE.read_text()))
 
     def test_every_name_is_known(self):
@@ -222,7 +258,7 @@ run = {"run_type": "iteration", "real_time": 1, "iterations": 1, "segments": 7, 
 runs = [{**run, "seconds": seconds} for seconds in (0.5, 0.1, 0.2, 0.9, 0.4)] + [{"run_type": "aggregate"}]
 if engine == "unsupported":
     runs = [{"run_type": "iteration", "error_occurred": True, "error_message": "unsupported: no holes"}]
-json.dump({"context": {"compiler": "GCC"}, "benchmarks": runs}, open(options["benchmark_out"], "w"))
+json.dump({"context": {"libraries": "GCC"}, "benchmarks": runs}, open(options["benchmark_out"], "w"))
 """
 
 
@@ -252,8 +288,32 @@ class AProgram(unittest.TestCase):
                           "hang": "> 0.25 s", "greedy": "out of memory", "unsupported": "no holes",
                           "broken": "failed: exit code 1 oplus-bench: no"})
         self.assertEqual((found["slide"].digest, found["slide"].area), ("2", "3/2"))
-        self.assertEqual(found["slide"].numbers, {"seconds": 0.4, "segments": 7, "busy": 2.5, "repetitions": 5})
+        self.assertEqual(found["slide"].numbers, {"seconds": 0.4, "seconds_least": 0.1, "seconds_most": 0.9,
+                                                   "segments": 7, "busy": 2.5, "repetitions": 5})
         self.assertGreater(found["hang"].numbers["peak_mb"], 1)
+        self.assertEqual(found["hang"].numbers["limit"], 0.25)
+
+    def test_the_newest_libraries_are_measured_by_their_program(self):
+        (self.folder / "bin").mkdir()
+        (self.folder / "newest").mkdir()
+        (self.folder / "newest/versions").write_text("CGAL 7\n")
+        for name, text in (("oplus-bench", FAKE), ("oplus-bench-newest", FAKE.replace("crash hang", "new hang").replace("slide rca new", "new").replace('": 7', '": 8'))):
+            (self.folder / "bin" / name).write_text(text)
+            (self.folder / "bin" / name).chmod(0o755)
+        program = Program(self.folder / "bin/oplus-bench")
+        self.assertEqual(program.rows[0].engines.count("new"), 1)
+        self.assertEqual([program.measure(program.rows[0], name).numbers["segments"] for name in ("slide", "new")], [7, 8])
+        self.assertEqual(program.context["newest"], "CGAL 7")
+
+    def test_oplus_has_ten_times_the_limit(self):
+        with mock.patch.object(Program, "measure", return_value=of("x", 1)) as asked, contextlib.redirect_stdout(io.StringIO()):
+            program = Program(self.path)
+            measuring.measure(program, program.rows[0], ["slide", "crash"], limit=2)
+        self.assertEqual([call[0][2] for call in asked.call_args_list], [20, 2])
+
+    def test_a_row_of_the_proved_program_has_more_time(self):
+        self.path.write_text(FAKE.replace("tsums", "tproved", 1))
+        self.assertIn("> 0.75 s", self.table("--engines", "hang")[1])
 
     def test_another_library_may_do_what_it_likes(self):
         code, said = self.table("--engines", "slide,rca,crash,hang,greedy,unsupported", "--json",
@@ -262,11 +322,12 @@ class AProgram(unittest.TestCase):
         self.assertRegex(said, r"slide +400 ms +7 segments +250 % busy\n")
         self.assertIn("crashed: signal 6", said)
         self.assertIn("> 0.25 s", said)
-        code, said = self.table("--from", str(self.folder / "run.json"), "--markdown", str(self.folder / "page.md"))
-        self.assertEqual((code, said), (0, ""))
-        page = (self.folder / "page.md").read_text()
+        with mock.patch("chart.draw") as draw:
+            code, said = self.table("--from", str(self.folder / "run.json"), "--page", str(self.folder))
+        self.assertEqual((code, said, draw.call_args[0][1]), (0, "", self.folder / "benchmarks/sizes.svg"))
+        page = (self.folder / "benchmarks.md").read_text()
         self.assertIn("On 1 of 1 rows", page)
-        self.assertIn("--engines slide,rca,crash,hang,greedy,unsupported --limit 0.25 --markdown docs/benchmarks.md", page)
+        self.assertIn("--engines slide,rca,crash,hang,greedy,unsupported --limit 0.25\n", page)
         self.assertNotIn(str(self.folder), page)
 
     def test_a_wrong_result_and_a_failure_of_ours_are_faults(self):
@@ -276,6 +337,19 @@ class AProgram(unittest.TestCase):
         code, said = self.table("--engines", "broken")
         self.assertEqual((code, said.splitlines()[-1]),
                          (1, "table.py: r: broken failed: exit code 1 oplus-bench: no"))
+
+    def test_commands_on_large_regions(self):
+        for name, does in (("oplus", "[ $1 = gen ] || [ $1 != verify ]"), ("oplus-certified", "exit 0")):
+            (self.folder / name).write_text(f"#!/bin/sh\n{does}\n")
+            (self.folder / name).chmod(0o755)
+        code, said = self.table("--rows", "large", "--json", str(self.folder / "run.json"))
+        self.assertEqual((code, said.splitlines()[-2:]), (1, [f"table.py: large_verify: {size} failed: exit code 1"
+                                                              for size in ("small", "large")]))
+        rows = table.Report.read(self.folder / "run.json").rows
+        self.assertEqual([row.name for row in rows if row.done("large")],
+                         ["large_" + name for name in large.COMMANDS if name != "verify"])
+        self.assertEqual(rows[0].number("large.vertices/small.vertices"), 10)
+        self.assertGreater(rows[0].number("large.process_mb"), 0.1)
 
     def test_refuses_invalid_usage_in_one_line(self):
         for options, words in ((["--engines", "fast"], "unknown engine fast"), (["--rows", "x"], "no row matches x"),

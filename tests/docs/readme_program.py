@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """readme_program.py: fails unless the programs in README and on pages of docs/, and their outputs, are those of
-docs/examples/cpp, which are compiled and run."""
+docs/examples/cpp and of docs/examples/c, which are compiled and run."""
 
 import sys
 import textwrap
@@ -31,13 +31,14 @@ def text_of(example):
 
 if __name__ == "__main__":
     wrong = 0
-    for page, name, endings in (("README.md", "room_and_robot", (".cpp", ".txt")),
-                                ("docs/from_cgal.md", "from_cgal", (".cpp", ".txt")),
-                                ("docs/from_clipper.md", "from_clipper", (".cpp", ".txt")),
-                                ("docs/open.md", "open_sum", (".txt",))):
+    for page, name, endings in (("README.md", "cpp/room_and_robot", (".cpp", ".txt")),
+                                ("docs/c.md", "c/room_and_robot", (".c", ".txt")),
+                                ("docs/from_cgal.md", "cpp/from_cgal", (".cpp", ".txt")),
+                                ("docs/from_clipper.md", "cpp/from_clipper", (".cpp", ".txt")),
+                                ("docs/open.md", "cpp/open_sum", (".txt",))):
         found = blocks((ROOT / page).read_text(encoding="utf-8"))
         for ending in endings:
-            text = text_of((ROOT / "docs/examples/cpp" / name).with_suffix(ending))
+            text = text_of((ROOT / "docs/examples" / name).with_suffix(ending))
             if text not in found:
                 wrong += 1
                 print(f"{page} has no block that is {name}{ending}:\n{text}")

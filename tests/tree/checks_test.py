@@ -5,6 +5,7 @@ import compiled
 import formatted
 import licence_lines
 import mutant_names  # which finds list_mutants
+import page_algorithms
 import project_files
 import public_headers
 import tests_by_file
@@ -100,6 +101,15 @@ class PublicHeaders(TreeTest):
     def test_a_source_of_the_same_library(self):
         self.write("checked/cli/sum.cpp", '#include "checked/rca/traits.hpp"')
         self.assertEqual(public_headers.violations(self.root), [])
+
+
+class PageAlgorithms(TreeTest):
+    def test_what_the_page_lacks(self):
+        self.write(page_algorithms.HEADER, "auto find(const Range& range, const Value& value) {")
+        for path in ("checked/slide/a.cpp", "checked/layouts/a.cpp", "checked/sweep/a.cpp"):
+            self.write(path, "std::ranges::find(a, b);", "std::find(std::ranges::begin(a), std::ranges::rotate(a));")
+        self.assertEqual(list(page_algorithms.violations(self.root)),
+                         [f"checked/slide/a.cpp:2: {page_algorithms.HEADER} has no rotate"])
 
 
 class Compiled(TreeTest):

@@ -18,6 +18,7 @@ LINES = (
 BINDINGS = {
     "checked/bindings/python": ("oplus", "checked/slide/parallel_for.hpp", "reference/io/counted.hpp",
                                 "checked/oplus/internal/named_operations.hpp"),
+    "checked/bindings/c": ("checked/oplus", "checked/version.hpp"),
     "checked/bindings/page": ("reference/definitions", "reference/chains", "reference/io", "checked/certificates",
                               "checked/collision", "checked/cycles", "checked/distance", "checked/slide", "checked/verify"),
 }

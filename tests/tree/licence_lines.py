@@ -11,13 +11,13 @@ MIT, GPL, MPL = "MIT", "GPL-3.0-or-later", "MPL-2.0"
 # The library oplus_core; of `checked`, what is not in a folder. All else is over CGAL, or may be.
 CORE = ("reference/definitions", "reference/arithmetic", "reference/chains", "reference/io",
         "reference/oracle", "reference/pictures", "checked", "checked/arithmetic",
-        "checked/boxes", "checked/certificates", "checked/collision", "checked/cycles", "checked/distance", "checked/layouts",
+        "checked/bindings/c", "checked/boxes", "checked/certificates", "checked/collision", "checked/cycles", "checked/distance", "checked/layouts",
         "checked/operations", "checked/oplus", "checked/oplus/internal",
         "checked/pieces", "checked/repair", "checked/rounding", "checked/slide", "checked/verify")
 # What users copy from.
-EXAMPLES = ("docs/examples/cpp", "docs/examples/nesting", "tests/consumer")
+EXAMPLES = ("docs/examples/c", "docs/examples/cpp", "docs/examples/nesting", "tests/consumer")
 PYTHON = ("checked/bindings/python", "checked/bindings/python/oplus")
-PAGE = ("checked/bindings/page",)
+WEB = ("checked/bindings/npm", "checked/bindings/page", "checked/bindings/wasm")
 INSTALL = ("checked/install", "checked/install/recipes", "checked/install/recipes/debian",
            "checked/install/recipes/vcpkg/oplus", "checked/install/recipes/conan")
 # Only for those who have CGAL; of it, what is under the LGPL (tests/checked/oplus/cgal_licence).
@@ -25,7 +25,8 @@ ADAPTERS = ("checked/oplus/cgal.hpp",)
 NOT_IN_CORE = ("CGAL", "tbb", "oneapi", "mpfr.h")
 OURS = ("reference", "checked", "properties", "tests", "oplus")
 LINE = "SPDX-License-Identifier: "
-COMMENT = {".cpp": ("// ", ""), ".hpp": ("// ", ""), ".mjs": ("// ", ""), ".smt2": ("; ", ""),
+COMMENT = {".c": ("// ", ""), ".h": ("// ", ""), ".rs": ("// ", ""), ".lua": ("-- ", ""), ".ts": ("// ", ""),
+           ".cpp": ("// ", ""), ".hpp": ("// ", ""), ".mjs": ("// ", ""), ".smt2": ("; ", ""),
            ".v": ("(* ", " *)"), ".ml": ("(* ", " *)"), ".mli": ("(* ", " *)")}
 SCRIPTS = (".py", ".sh", ".cmake")
 
@@ -38,7 +39,7 @@ def is_source(path):
 
 
 def licence(name):
-    return MIT if name.rpartition("/")[0] in CORE + EXAMPLES + PYTHON + PAGE + INSTALL else GPL
+    return MIT if name.rpartition("/")[0] in CORE + EXAMPLES + PYTHON + WEB + INSTALL else GPL
 
 
 def wrong_includes(root):

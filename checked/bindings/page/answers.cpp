@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
+#define RAPIDJSON_HAS_STDSTRING 1
 #include "checked/bindings/page/answers.hpp"
+
+#include <rapidjson/stringbuffer.h>
+#include <rapidjson/writer.h>
 
 #include <array>
 #include <cmath>
-#include <cstdint>
-#include <cstdio>
 #include <exception>
 #include <optional>
 #include <stdexcept>
@@ -37,36 +39,23 @@ namespace {
 /// JSON with the members of an answer.
 class Answer {
  public:
-  std::string text() { return text_ + '}'; }
+  Answer() { json_.StartObject(); }
 
-  void key(const char* name) {
-    value(std::string(name));
-    text_ += ':';
-    is_first_ = true;
+  std::string text() {
+    json_.EndObject();
+    return {buffer_.GetString(), buffer_.GetSize()};
   }
-  void value(const std::string& text) {
-    begin_value();
-    text_ += '"';
-    for (const char c : text) {
-      std::array<char, 8> escaped{c};
-      if (c == '"' || c == '\\')
-        escaped = {'\\', c};
-      else if (static_cast<unsigned char>(c) < 0x20)
-        std::snprintf(escaped.data(), escaped.size(), "\\u%04x", static_cast<unsigned>(c));
-      text_ += escaped.data();
-    }
-    text_ += '"';
-  }
-  void value(bool is) { put(is ? "true" : "false"); }
-  void value(int number) { put(std::to_string(number)); }
-  void value(std::size_t number) { put(std::to_string(number)); }
+
+  void key(const char* name) { json_.Key(name); }
+  void value(const std::string& text) { json_.String(text); }
+  void value(bool is) { json_.Bool(is); }
+  void value(int number) { json_.Int(number); }
+  void value(std::size_t number) { json_.Uint64(number); }
   /// For the eye. Throws std::range_error for an infinity.
   void value(double number) {
     if (!std::isfinite(number))
       throw std::range_error("a number is beyond all doubles, and cannot be drawn");
-    std::array<char, 32> digits;
-    std::snprintf(digits.data(), digits.size(), "%.17g", number);
-    put(digits.data());
+    json_.Double(number);
   }
   template <typename Value>
   void member(const char* name, const Value& of_it) {
@@ -77,11 +66,15 @@ class Answer {
 
   template <typename Content>
   void array(const Content& content) {
-    enclose('[', content, ']');
+    json_.StartArray();
+    content();
+    json_.EndArray();
   }
   template <typename Content>
   void object(const Content& content) {
-    enclose('{', content, '}');
+    json_.StartObject();
+    content();
+    json_.EndObject();
   }
 
   void numbers(const Point& p) {
@@ -105,25 +98,8 @@ class Answer {
   }
 
  private:
-  void begin_value() {
-    if (!is_first_) text_ += ',';
-    is_first_ = false;
-  }
-  void put(const std::string& written) {
-    begin_value();
-    text_ += written;
-  }
-  template <typename Content>
-  void enclose(char first, const Content& content, char last) {
-    put(std::string(1, first));
-    is_first_ = true;
-    content();
-    is_first_ = false;
-    text_ += last;
-  }
-
-  std::string text_ = "{";
-  bool is_first_ = true;  ///< in its array or object, or after its key
+  rapidjson::StringBuffer buffer_;
+  rapidjson::Writer<rapidjson::StringBuffer> json_{buffer_};
 };
 
 std::string text(const JsonValue& json, const char* name) {

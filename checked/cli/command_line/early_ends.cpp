@@ -3,12 +3,16 @@
 
 #include <gmp.h>
 #include <signal.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <exception>
+#include <fstream>
 #include <new>
+#include <string>
 #include <string_view>
 
 #include "checked/cli/command_line/terminal.hpp"
@@ -34,6 +38,30 @@ extern "C" void* reallocate(void* old, std::size_t, std::size_t size) {
 }
 extern "C" void release(void* memory, std::size_t) { std::free(memory); }
 
+/// What the machine, or the container, has left, in bytes.
+rlim_t available_memory() {
+  rlim_t kilobytes = 0, most = RLIM_INFINITY;
+  std::ifstream machine("/proc/meminfo");
+  for (std::string name, unit; machine >> name;) {
+    rlim_t value = 0;
+    if ((name == "MemAvailable:" || name == "SwapFree:") && machine >> value) kilobytes += value;
+    std::getline(machine, unit);
+  }
+  std::ifstream("/sys/fs/cgroup/memory.max") >> most;  // "max", which leaves 0, where there is none
+  if (most == 0) most = RLIM_INFINITY;
+  return kilobytes == 0 ? most : std::min(most, 1024 * kilobytes);
+}
+
+/// An allocation then fails, where the system would end the program, or another one, without a word.
+void limit_memory() {
+#ifndef __SANITIZE_ADDRESS__  // it reserves terabytes
+  rlimit limit{};
+  if (getrlimit(RLIMIT_DATA, &limit) != 0) return;
+  limit.rlim_cur = std::min(limit.rlim_cur, available_memory());
+  setrlimit(RLIMIT_DATA, &limit);
+#endif
+}
+
 /// Of an exception that no one catches, on another thread for example.
 [[noreturn]] void end_for_exception() {
   try {
@@ -56,6 +84,7 @@ void prepare_for_early_ends() {
     sigaction(number, &action, nullptr);
   }
   signal(SIGXFSZ, SIG_IGN);
+  limit_memory();
   mp_set_memory_functions(allocate, reallocate, release);
   std::set_terminate(end_for_exception);
 }

@@ -1,4 +1,4 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+// SPDX-License-Identifier: GPL-3.0-or-later
 /* The main program in C: runs OCaml's in a thread with a large stack, since Coq's functions recur as deep as lists are
    long. Where OCaml's runtime would end the program for want of memory, it says so in one line, with exit code 2. */
 #include <caml/callback.h>

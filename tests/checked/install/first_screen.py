@@ -20,7 +20,7 @@ def section(text, heading):
 def main():
     folder = Path(sys.argv[1])
     readme = (ROOT / "README.md").read_text(encoding="utf-8")
-    installs = re.findall(r"`(apt install \./([a-z0-9-]+)_\*\.deb)`", section(readme, "Install"))
+    installs = re.findall(r"`(apt install (?:\./[a-z0-9]+_\*\.deb )?\./([a-z0-9-]+)_\*\.deb)`", section(readme, "Install"))
     files = {f"install_{package}": line for line, package in installs}
     assert set(files) == {"install_oplus", "install_liboplus-dev", "install_python3-oplus"}, files
     computes = re.findall(r"^\|.*`(oplus .*?)`", section(readme, "No-fit polygon"), re.M)

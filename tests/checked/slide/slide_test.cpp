@@ -133,6 +133,18 @@ TEST(Slide, finds_where_one_just_fits_into_the_other) {
   expect_as_rca(chain_of_holes(3), polygon(box(0, 0, 2, 2)), "holes that touch, and a square");
 }
 
+TEST(Slide, leaves_out_copies_of_segments_where_there_are_many) {
+  constexpr std::size_t k = 24;  // places of the sum: 2 k - 1 on a diagonal
+  const Region squares = staircase(k);
+  for (const Boundary boundary : {Boundary::closed, Boundary::open}) {
+    const ComputedSum all = slide_sum(squares, squares, boundary, {.with_origins = true});
+    const ComputedSum fewer = slide_sum(squares, squares, boundary);
+    EXPECT_EQ(all.sum, fewer.sum);
+    EXPECT_EQ(all.statistics.count("segments slid along"), 8 * k * k);
+    EXPECT_EQ(fewer.statistics.count("segments slid along"), 8 * (2 * k - 1));
+  }
+}
+
 TEST(SlideStages, are_the_first_that_hold_the_bits_of_a_coordinate) {
   const auto power = power_of_two;
   const auto tiny = [](int denominator) { return triangle_to(Rational(1, denominator)); };

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-import load from "./oplus.js";
+import {load} from "./load.js";
 
-const core = load();
+const loaded = load(fetch(new URL("oplus.wasm", import.meta.url)));
 onmessage = async ({data}) => {
   try {
-    const text = (await core).ccall("oplus_answer", "string", ["string"], [JSON.stringify(data)]);
+    const core = await loaded;
+    const text = core.with([JSON.stringify(data)], (request) => core.text(core.exports.oplus_answer(request)));
     postMessage(JSON.parse(text));
   } catch {
     postMessage({error: "the core has stopped; reload the page", refused: true});

@@ -1,49 +1,35 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the tests of the page have in common: a server, Chromium, and where the page has what."""
 
-import functools
-import http.server
 import os
 import re
-import threading
+import sys
 from pathlib import Path
 from urllib.parse import quote
 
 import pytest
-from selenium import webdriver
 from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.by import By
 from selenium.webdriver.support.ui import WebDriverWait
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+from browser import chromium, served
 
 FOLDER = Path(os.environ["OPLUS_PAGE"])
 SQUARE = "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0))"
 TRIANGLE = "POLYGON ((0 0, 2 0, 0 2, 0 0))"
 
 
-class Quiet(http.server.SimpleHTTPRequestHandler):
-    def log_message(self, *_):
-        pass
-
-
 @pytest.fixture(scope="session")
 def server():
-    handler = functools.partial(Quiet, directory=str(FOLDER))
-    with http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler) as httpd:
-        threading.Thread(target=httpd.serve_forever, daemon=True).start()
-        yield f"http://127.0.0.1:{httpd.server_address[1]}/"
-        httpd.shutdown()
+    with served(FOLDER) as address:
+        yield address
 
 
 @pytest.fixture(scope="session")
 def driver():
-    options = webdriver.ChromeOptions()
-    for argument in ("--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--disable-gpu"):
-        options.add_argument(argument)
-    options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
-    service = webdriver.chrome.service.Service("/usr/bin/chromedriver")
-    driver = webdriver.Chrome(options=options, service=service)
-    yield driver
-    driver.quit()
+    with chromium() as driver:
+        yield driver
 
 
 class Page:

@@ -4,7 +4,7 @@
 // Coordinates of 10^7 and more need more bits than a long has there: edges cross in long fractions.
 import assert from "node:assert";
 import {execFileSync} from "node:child_process";
-import {mkdtempSync, readFileSync, writeFileSync, copyFileSync} from "node:fs";
+import {mkdtempSync, readFileSync, writeFileSync} from "node:fs";
 import {tmpdir} from "node:os";
 import path from "node:path";
 import {pathToFileURL} from "node:url";
@@ -13,16 +13,13 @@ import {followsFromWkt} from "./drawn.mjs";
 
 const [folder, oplus, corpus, casesFile] = process.argv.slice(2);
 const scratch = mkdtempSync(path.join(tmpdir(), "oplus-web-"));
-// Node takes it for a module by its name.
-copyFileSync(path.join(folder, "oplus.js"), path.join(scratch, "oplus.mjs"));
-// Emscripten 3.1.6 uses what CommonJS has.
-globalThis.__dirname = scratch;
-globalThis.require = (await import("node:module")).createRequire(import.meta.url);
-const load = (await import(pathToFileURL(path.join(scratch, "oplus.mjs")))).default;
-const core = await load({wasmBinary: readFileSync(path.join(folder, "oplus.wasm"))});
+// Node takes a text for a module by its name.
+writeFileSync(path.join(scratch, "load.mjs"), readFileSync(path.join(folder, "load.js")));
+const {load} = await import(pathToFileURL(path.join(scratch, "load.mjs")));
+const core = await load(new Uint8Array(readFileSync(path.join(folder, "oplus.wasm"))));
 
-const ask = (request) => JSON.parse(core.ccall("oplus_answer", "string", ["string"], [JSON.stringify({
-  x: ["1/2", "1/3"], step: "1", s: "", open: false, ...request})]));
+const ask = (request) => core.with([JSON.stringify({x: ["1/2", "1/3"], step: "1", s: "", open: false, ...request})],
+  (text) => JSON.parse(core.text(core.exports.oplus_answer(text))));
 /** A proved program, as a function of what its worker is sent. */
 const program = (name) => {
   let answer;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "checked/cli/command_line/early_ends.hpp"
 
+#include <sys/resource.h>
+#include <unistd.h>
+
 #include <cstddef>
 #include <cstdlib>
 #include <limits>
@@ -34,6 +37,8 @@ TEST_F(EarlyEnds, for_lack_of_memory_are_those_of_invalid_input) {
                                     "oplus sum star.wkt star.wkt --engine rca -o s.wkt",
                                     "oplus verify star.wkt star.wkt star.wkt"})
     expect_refusal("ulimit -v 50000; " + command, "not enough memory");
+  expect_refusal("ulimit -d 50000; oplus sum star.wkt star.wkt --engine rca -o s.wkt",
+                 "not enough memory");
   // Of a batch it is the error of a pair.
   const Ran batch = run("ulimit -v 50000; oplus batch --parts star.wkt -o s.jsonl", 2);
   EXPECT_EQ(batch.lines_of_err(), 1) << batch.err;
@@ -63,6 +68,20 @@ TEST(CrashDeathTest, is_none_where_memory_is_missing) {
   EXPECT_EXIT((report_crashes(), prepare_for_early_ends(), lose_memory()),
               testing::ExitedWithCode(2), "^oplus: there is not enough memory for this input\n$");
 }
+
+#ifndef __SANITIZE_ADDRESS__
+TEST(EarlyEndsDeathTest, come_before_the_machine_has_no_memory_left) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  const auto is_limited = [] {
+    rlimit limit{};
+    getrlimit(RLIMIT_DATA, &limit);
+    const auto pages = static_cast<rlim_t>(sysconf(_SC_PHYS_PAGES));
+    return limit.rlim_cur < 2 * pages * static_cast<rlim_t>(sysconf(_SC_PAGESIZE));
+  };
+  EXPECT_EXIT((prepare_for_early_ends(), _exit(is_limited() ? 0 : 1)), testing::ExitedWithCode(0),
+              "");
+}
+#endif
 
 }  // namespace
 }  // namespace oplus
