@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Fails on what would be wrong about the files that a hosting service reads: a workflow or an issue form that is not YAML or has a
-key that GitHub does not know, logic in a workflow, a script that it calls and that does not exist, a job without a
-limit; a CITATION.cff of another version, title or licence; a licence that LICENSE does not name."""
+"""Fails on what would be wrong about the files that a hosting service reads: a workflow or an issue form that is not
+YAML or has a key that GitHub does not know, logic in a workflow, a script that it calls and that does not exist, a job
+without a limit; a CITATION.cff of another version, title or licence; a licence that LICENSE does not name."""
 
 import re
 from pathlib import Path

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""first_screen.py FOLDER: writes into FOLDER what README tells users to type, as it stands there: install_PACKAGE of each
-package, computes (a line each of the table of what can be computed), sum, program.cpp and program.txt, and session.txt."""
+"""first_screen.py FOLDER: writes into FOLDER what README tells users to type, as it stands there: install_PACKAGE of
+each package, computes (a line each of the table of what can be computed), sum, program.cpp and program.txt, and
+session.txt."""
 
 import re
 import sys

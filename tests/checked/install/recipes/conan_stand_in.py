@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""conan_stand_in.py RECIPE ARCHIVE WORK: what Conan 2 does with a recipe, of what that of oplus uses: source, generate, build, package into
-WORK/package. Prints what a compiler is told of the package."""
+"""conan_stand_in.py RECIPE ARCHIVE WORK: what Conan 2 does with a recipe, of what that of oplus uses: source, generate,
+build, package into WORK/package. Prints what a compiler is told of the package."""
 
 import hashlib
 import importlib.util
@@ -100,7 +100,8 @@ def get(recipe, url, sha256, strip_root):
     assert url.startswith("https://") and url.endswith("/" + ARCHIVE.name), url
     assert hashlib.sha256(ARCHIVE.read_bytes()).hexdigest() == sha256, "the recipe is of another archive"
     recipe.source_folder.mkdir(parents=True)
-    subprocess.run(["tar", "-x", "-f", ARCHIVE, "-C", recipe.source_folder, *["--strip-components=1"] * strip_root], check=True)
+    assert strip_root
+    subprocess.run(["tar", "-x", "-f", ARCHIVE, "-C", recipe.source_folder, "--strip-components=1"], check=True)
 
 
 def copy(recipe, pattern, src, dst):

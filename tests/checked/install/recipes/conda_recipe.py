@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""conda_recipe.py RECIPE ARCHIVE WORK: what rattler-build does with a recipe.yaml, of what that of oplus uses: checks its keys, runs its script on
-the archive of the sources, and its tests. Installs into WORK/prefix."""
+"""conda_recipe.py RECIPE ARCHIVE WORK: what rattler-build does with a recipe.yaml, of what that of oplus uses: checks
+its keys, runs its script on the archive of the sources, and its tests. Installs into WORK/prefix."""
 
 import hashlib
 import os

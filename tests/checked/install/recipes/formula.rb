@@ -1,7 +1,7 @@
 #!/usr/bin/env ruby
 # SPDX-License-Identifier: GPL-3.0-or-later
-# formula.rb FORMULA ARCHIVE WORK: what Homebrew does with a formula, of what that of oplus uses: installs from the archive of the sources into
-# WORK/prefix, and runs its test.
+# formula.rb FORMULA ARCHIVE WORK: what Homebrew does with a formula, of what that of oplus uses: installs from the
+# archive of the sources into WORK/prefix, and runs its test.
 require "digest"
 require "fileutils"
 require "pathname"
