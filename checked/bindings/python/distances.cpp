@@ -49,12 +49,12 @@ void define_distances(py::module_& m) {
   m.def("distance", of_pair([](const auto& p, const auto& q) { return distance(p, q); }));
   m.def("depth", of_pair([](const auto& p, const auto& q) { return depth(p, q); }));
   py::class_<Placements>(m, "Placements")
-      .def(py::init([](py::handle p_value, py::handle q_value, long long threads, py::handle engine,
-                       py::handle progress) {
-        const PreparedRegion p = region_of(p_value), q = region_of(q_value);
-        const SumOptions options = options_of(threads, engine, progress);
-        return unlocked([&] { return Placements(p.region(), q.region(), options); });
-      }))
+      .def(py::init(
+          [](py::handle p_value, py::handle q_value, long long threads, py::handle progress) {
+            const PreparedRegion p = region_of(p_value), q = region_of(q_value);
+            const SumOptions options = options_of(threads, progress);
+            return unlocked([&] { return Placements(p.region(), q.region(), options); });
+          }))
       .def("no_fit", [](const Placements& placements) { return placements.no_fit(); })
       .def("locate", at_place([](const auto& of, const auto& x) { return of.locate(x); }))
       .def("depth", at_place([](const auto& of, const auto& x) { return of.depth(x); }))

@@ -34,9 +34,8 @@ ValidSet sum_of(const Set& p, const Set& q, const SumOptions& options) {
 }
 
 ValidSet minkowski_sum_of(py::handle p_value, py::handle q_value, const std::string& boundary,
-                          bool with_origins, long long threads, py::handle engine,
-                          py::handle progress) {
-  SumOptions options = options_of(threads, engine, progress);
+                          bool with_origins, long long threads, py::handle progress) {
+  SumOptions options = options_of(threads, progress);
   options.boundary = boundary_of(boundary);
   options.with_origins = with_origins;
   const Set p = set_of(p_value), q = set_of(q_value);
@@ -53,8 +52,8 @@ ValidSet nfp_of(const Set& p, const Set& q, SumOptions options) {
 }
 
 ValidSet operation_of(const std::string& name, py::handle p_value, py::handle q_value,
-                      long long threads, py::handle engine, py::handle progress) {
-  const SumOptions options = options_of(threads, engine, progress);
+                      long long threads, py::handle progress) {
+  const SumOptions options = options_of(threads, progress);
   if (name == "nfp") {
     const Set p = set_of(p_value), q = set_of(q_value);
     return unlocked([&] { return nfp_of(p, q, options); });

@@ -39,10 +39,8 @@ unsigned checked_threads(long long threads) {
 
 }  // namespace
 
-SumOptions options_of(long long threads, py::handle engine, py::handle progress) {
+SumOptions options_of(long long threads, py::handle progress) {
   SumOptions options{.threads = checked_threads(threads)};
-  if (!engine.is_none())
-    options.engine = py::reinterpret_borrow<py::capsule>(engine).get_pointer<const Engine>();
   const auto next = std::make_shared<std::atomic<Clock::rep>>();
   options.progress = [progress, next](std::size_t done, std::size_t total) {
     const auto now = Clock::now().time_since_epoch().count();

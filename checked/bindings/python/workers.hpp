@@ -12,11 +12,11 @@ namespace oplus::python {
 namespace py = pybind11;
 
 /// Returns options for one sum. Ten times a second it takes Python's lock, so that Ctrl-C raises KeyboardInterrupt, and
-/// calls progress(done, total) unless that is None. `engine`: None, or a capsule of the module _engines. Throws
-/// std::invalid_argument for threads below 0 and above 1024.
+/// calls progress(done, total) unless that is None. Throws std::invalid_argument for threads
+/// below 0 and above 1024.
 ///
-/// Requires: the caller keeps `engine` and `progress` as long as the options are used.
-SumOptions options_of(long long threads, py::handle engine, py::handle progress);
+/// Requires: the caller keeps `progress` as long as the options are used.
+SumOptions options_of(long long threads, py::handle progress);
 
 /// Calls `work` once with each number below n, on this thread and on threads - 1 others; 0: as many as there
 /// are cores; less where no more can be started. Ctrl-C ends it between two calls, by py::error_already_set; an

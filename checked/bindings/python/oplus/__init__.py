@@ -15,12 +15,11 @@ from ._functions import (Placements, certify, close, complement, depth, disc, di
                          open, read_file, read_set_file, repair, rotation, rounded, verify)
 from ._many import batch, from_arrays, to_arrays
 from ._oplus import __version__
-from ._options import engines
 from ._results import Reason, Rounded, Verdict
 from ._sets import PlanarSet, Region
 
 __all__ = ["Arrays", "InvalidInput", "Placements", "PlanarSet", "Reason", "Region", "Rounded", "Verdict",
-           "batch", "certify", "close", "complement", "depth", "disc", "distance", "engines", "erode", "from_arrays", "ifp",
+           "batch", "certify", "close", "complement", "depth", "disc", "distance", "erode", "from_arrays", "ifp",
            "minkowski_sum", "nfp", "open", "read_file", "read_set_file", "repair", "rotation", "rounded", "to_arrays", "verify"]
 
 InvalidInput.__module__ = "oplus"

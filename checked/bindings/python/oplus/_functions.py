@@ -1,34 +1,34 @@
 # SPDX-License-Identifier: MIT
 """Functions of one pair of sets, and of one set."""
 
-from . import _oplus, _options
+from . import _oplus, _progress
 from ._results import Reason, Rounded, Verdict
 from ._sets import PlanarSet, Region
 
 
-def minkowski_sum(p, q, *, boundary="closed", threads=1, engine=None, with_origins=False, progress=None):
+def minkowski_sum(p, q, *, boundary="closed", threads=1, with_origins=False, progress=None):
     """Returns the Minkowski sum, the set of all p + q, exactly.
 
     p, q: whatever Region or PlanarSet takes. boundary: 'closed', or 'open' for the sum of the
-    interiors, which has dangling edges and isolated vertices. threads: 0 for all cores. engine: one of engines(),
-    which changes no sum. with_origins: whether the result has origins. progress: called with the numbers of segments
-    that are done and of all, ten times a second, on any thread; or a bar of tqdm. What it raises ends the sum.
+    interiors, which has dangling edges and isolated vertices. threads: 0 for all cores. with_origins: whether
+    the result has origins. progress: called with the numbers of segments that are done and of all, ten times a
+    second, on any thread; or a bar of tqdm. What it raises ends the sum.
 
     >>> print(oplus.minkowski_sum([[0, 0], [2, 0], [0, 2]], [[0, 0], [1, 0], [1, 1], [0, 1]]))
     POLYGON ((0 0, 3 0, 3 1, 1 3, 0 3, 0 0))
     """
     if progress is None:
-        return _oplus.minkowski_sum(p, q, boundary, with_origins, threads, engine and _options.found(engine), None)
-    with _options.reported(progress) as told:
-        return _oplus.minkowski_sum(p, q, boundary, with_origins, threads, _options.found(engine), told)
+        return _oplus.minkowski_sum(p, q, boundary, with_origins, threads, None)
+    with _progress.reported(progress) as told:
+        return _oplus.minkowski_sum(p, q, boundary, with_origins, threads, told)
 
 
-def _operation(name, p, q, threads, engine, progress):
-    with _options.reported(progress) as told:
-        return _oplus.operation(name, p, q, threads, _options.found(engine), told)
+def _operation(name, p, q, threads, progress):
+    with _progress.reported(progress) as told:
+        return _oplus.operation(name, p, q, threads, told)
 
 
-def nfp(p, q, *, threads=1, engine=None, progress=None):
+def nfp(p, q, *, threads=1, progress=None):
     """Returns the no-fit polygon of p and q: where q + x overlaps p. It is an open set.
     On its boundary, with dangling edges and isolated vertices, the two only touch. p and q may also have line strings
     and points: then it is where one of them meets the interior of the other. Options are those of minkowski_sum.
@@ -39,10 +39,10 @@ def nfp(p, q, *, threads=1, engine=None, progress=None):
     >>> print(oplus.nfp(square, 'LINESTRING (0 0, 2 0)'))
     POLYGON ((-2 0, 1 0, 1 1, -2 1, -2 0))
     """
-    return _operation("nfp", p, q, threads, engine, progress)
+    return _operation("nfp", p, q, threads, progress)
 
 
-def ifp(p, q, *, threads=1, engine=None, progress=None):
+def ifp(p, q, *, threads=1, progress=None):
     """Returns the inner-fit polygon of p and q: where q + x is inside p. It is a closed set.
     Where q fits exactly there are dangling edges and isolated vertices.
 
@@ -50,30 +50,30 @@ def ifp(p, q, *, threads=1, engine=None, progress=None):
     >>> print(oplus.ifp(bin, bin))
     GEOMETRYCOLLECTION (POINT (0 0))
     """
-    return _operation("ifp", p, q, threads, engine, progress)
+    return _operation("ifp", p, q, threads, progress)
 
 
-def erode(p, q, *, threads=1, engine=None, progress=None):
+def erode(p, q, *, threads=1, progress=None):
     """Returns the erosion of p by q: ifp without edges and points.
 
     >>> square = [[0, 0], [1, 0], [1, 1], [0, 1]]
     >>> print(oplus.erode([[0, 0], [3, 0], [3, 2], [0, 2]], square))
     POLYGON ((0 0, 2 0, 2 1, 0 1, 0 0))
     """
-    return _operation("erode", p, q, threads, engine, progress)
+    return _operation("erode", p, q, threads, progress)
 
 
-def open(p, q, *, threads=1, engine=None, progress=None):
+def open(p, q, *, threads=1, progress=None):
     """Returns the opening of p by q: all q + x inside p, together.
 
     >>> square = [[0, 0], [1, 0], [1, 1], [0, 1]]
     >>> print(oplus.open([[0, 0], [3, 0], [3, '1/2'], [2, '1/2'], [2, 2], [0, 2]], square))
     POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))
     """
-    return _operation("open", p, q, threads, engine, progress)
+    return _operation("open", p, q, threads, progress)
 
 
-def close(p, q, *, threads=1, engine=None, progress=None):
+def close(p, q, *, threads=1, progress=None):
     """Returns the closing of p by q: the erosion of their sum by q. It contains p.
 
     >>> square = [[0, 0], [1, 0], [1, 1], [0, 1]]
@@ -81,7 +81,7 @@ def close(p, q, *, threads=1, engine=None, progress=None):
     >>> print(oplus.close(notched, square))
     POLYGON ((0 0, 3 0, 3 2, 0 2, 0 0))
     """
-    return _operation("close", p, q, threads, engine, progress)
+    return _operation("close", p, q, threads, progress)
 
 
 def complement(value):
@@ -130,10 +130,10 @@ class Placements:
 
     __module__ = "oplus"
 
-    def __init__(self, p, q, *, threads=1, engine=None, progress=None):
+    def __init__(self, p, q, *, threads=1, progress=None):
         self._pair = Region(p), Region(q)
-        with _options.reported(progress) as told:
-            self._at = _oplus.Placements(*self._pair, threads, _options.found(engine), told)
+        with _progress.reported(progress) as told:
+            self._at = _oplus.Placements(*self._pair, threads, told)
 
     def __reduce__(self):
         return Placements, self._pair

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Functions of many pairs and regions."""
 
-from . import _oplus, _options, _series
+from . import _oplus, _progress, _series
 
 
 def batch(operation, p, q, *, boundary="closed", threads=0, errors="raise", progress=None):
@@ -25,7 +25,7 @@ def batch(operation, p, q, *, boundary="closed", threads=0, errors="raise", prog
     GEOMETRYCOLLECTION (LINESTRING (0 0, 0 8))
     POLYGON EMPTY
     """
-    with _options.reported(progress) as told:
+    with _progress.reported(progress) as told:
         def compute(p, q):
             return _oplus.batch(operation, p, q, boundary, threads, errors, told)
 

@@ -236,7 +236,7 @@ class _Both:
         return self
 
     def __add__(self, other):
-        return _oplus.minkowski_sum(self, other, "closed", False, 1, None, None)
+        return _oplus.minkowski_sum(self, other, "closed", False, 1, None)
 
     __radd__ = __add__
 

@@ -87,7 +87,7 @@ area: Fraction = (region + region - region).area
 moved: oplus.PlanarSet = oplus.nfp(region, "POINT (0 0)").translated(1, 2)
 parts: list[oplus.Region] = list(moved)
 results: list[oplus.PlanarSet] = oplus.batch("sum", [region], [region], progress=lambda done, total: print(done, total))
-oplus.minkowski_sum(region, region, engine="slide", with_origins=True).origins[0][0][1][0] + 1
+oplus.minkowski_sum(region, region, with_origins=True).origins[0][0][1][0] + 1
 area.nothing
 oplus.nfp(region)
 oplus.minkowski_sum(region, region, boundary="half")
