@@ -16,7 +16,7 @@ from ._functions import (Placements, certify, close, complement, depth, disc, di
 from ._many import batch, from_arrays, to_arrays
 from ._oplus import __version__
 from ._results import Reason, Rounded, Verdict
-from ._sets import PlanarSet, Region
+from ._sets import PlanarSet, Region, _Both  # which the stubs have too
 
 __all__ = ["Arrays", "InvalidInput", "Placements", "PlanarSet", "Reason", "Region", "Rounded", "Verdict",
            "batch", "certify", "close", "complement", "depth", "disc", "distance", "erode", "from_arrays", "ifp",

@@ -1,13 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A GeoSeries in, one out."""
 
-import numpy
+import geopandas
 import pytest
 from shapely.geometry import Polygon, box
 
 import oplus
 
-geopandas = pytest.importorskip("geopandas")
 CORNERS = [[0, 0], [1, 0], [1, 1], [0, 1]]
 SQUARE = oplus.Region(CORNERS)
 

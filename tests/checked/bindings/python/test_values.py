@@ -7,8 +7,10 @@ import pickle
 from fractions import Fraction
 from xml.etree import ElementTree
 
+import matplotlib
 import pytest
 from hypothesis import given, strategies
+from matplotlib import pyplot
 
 import oplus
 from tiles import small_tilings, tilings, union
@@ -127,9 +129,7 @@ def test_a_picture_for_notebooks():
 
 
 def test_plots():
-    matplotlib = pytest.importorskip("matplotlib")
     matplotlib.use("agg")
-    pyplot = pytest.importorskip("matplotlib.pyplot")
     figure, axes = pyplot.subplots()
     assert oplus.nfp(FRAME, BAR).plot(axes, color="green") is axes
     [patch] = axes.patches
