@@ -47,6 +47,10 @@ endforeach()
 add_test(NAME python.package
          COMMAND ${CMAKE_COMMAND} -E env PYTHONPATH=${PROJECT_BINARY_DIR}/python
                  ${Python_EXECUTABLE} -B -m pytest -q -p no:cacheprovider ${CMAKE_CURRENT_SOURCE_DIR}/checked/bindings/python)
+# The notebooks of docs/examples.
+add_test(NAME python.notebooks
+         COMMAND ${CMAKE_COMMAND} -E env PYTHONPATH=${PROJECT_BINARY_DIR}/python PYDEVD_DISABLE_FILE_VALIDATION=1
+                 ${Python_EXECUTABLE} -B ${CMAKE_CURRENT_SOURCE_DIR}/checked/bindings/python/run_notebooks.py)
 
 add_test(NAME docs.nesting
          COMMAND ${CMAKE_COMMAND} -E env PYTHONPATH=${PROJECT_BINARY_DIR}/python

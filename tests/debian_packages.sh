@@ -11,11 +11,12 @@ packages=(g++ cmake ninja-build ccache python3
 packages_of_tests=(clang libclang-rt-14-dev git clang-format make time libgtest-dev libbenchmark-dev
                    jq parallel z3 cvc5 python3-yaml
                    pybind11-dev python3-dev python3-numpy python3-shapely python3-pytest
-                   python3-hypothesis)
+                   python3-hypothesis python3-matplotlib python3-geopandas python3-tqdm mypy)
 # More for tests/run --everything.
 packages_of_everything=(gnuplot-nox
                         mmdebstrap debhelper dh-python lintian ruby doxygen python3-sphinx python3-breathe
                         python3-myst-parser furo nodejs python3-pip python3-skbuild python3-venv
+                        python3-nbclient python3-ipykernel
                         emscripten js-of-ocaml chromium chromium-driver python3-selenium
                         rustc luajit node-typescript npm)
 

@@ -16,7 +16,7 @@ LINES = (
 )
 # Ways to use what is checked: each includes its own folder and what is named here, whatever the lines say.
 BINDINGS = {
-    "checked/bindings/python": ("oplus", "checked/slide/parallel_for.hpp", "reference/io/counted.hpp",
+    "checked/bindings/python": ("oplus", "checked/slide/parallel_for.hpp",
                                 "checked/oplus/internal/named_operations.hpp"),
     "checked/bindings/c": ("checked/oplus", "checked/version.hpp"),
     "checked/bindings/page": ("reference/definitions", "reference/chains", "reference/io", "checked/certificates",

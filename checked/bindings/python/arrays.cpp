@@ -63,30 +63,11 @@ py::array_t<std::int64_t> offset_array(std::vector<std::int64_t> offsets) {
 
 }  // namespace
 
-void define_arrays(py::module_& module) {
+void prepare_arrays() {
   // So that pybind11 imports numpy now, and not when it is first used, under the lock of a static variable,
   // where two threads would wait for each other.
   py::dtype::of<double>();
-  const py::object type =
-      py::module_::import("collections")
-          .attr("namedtuple")("Arrays", "coordinates rings polygons regions",
-                              py::arg("defaults") = py::make_tuple(py::none(), py::none()),
-                              py::arg("module") = "oplus");
-  type.attr("__doc__") = R"(Many regions in numpy arrays.
-
-Ring i has the points coordinates[rings[i]:rings[i + 1]]. Polygon i has the rings from
-polygons[i] to polygons[i + 1], the outer one first; without `polygons` each ring is a polygon.
-Region i has the polygons from regions[i] to regions[i + 1]; without `regions` each polygon is a
-region. Rings may be turned either way, and may or may not repeat their first point at the end.
-
->>> import numpy
->>> squares = numpy.array([[0, 0], [1, 0], [1, 1], [0, 1], [5, 5], [7, 5], [7, 7], [5, 7]])
->>> both = oplus.Arrays(squares, [0, 4, 8])
->>> [float(region.area) for region in oplus.from_arrays(both)]
-[1.0, 4.0]
-)";
-  module.attr("Arrays") = type;
-  arrays_type() = type.inc_ref();
+  arrays_type() = py::module_::import("oplus._arrays").attr("Arrays").cast<py::object>().release();
 }
 
 bool is_arrays(py::handle value) { return py::isinstance(value, arrays_type()); }

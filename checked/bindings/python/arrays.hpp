@@ -15,10 +15,10 @@
 /// Many regions in a few arrays.
 namespace oplus::python {
 
-/// Makes the type Arrays of the module: (coordinates, rings, polygons, regions). Ring i has the points
+/// Imports the type Arrays of the package: (coordinates, rings, polygons, regions). Ring i has the points
 /// coordinates[rings[i]:rings[i + 1]]; polygon i the rings rings[polygons[i]:polygons[i + 1]], the outer one first;
-/// region i the polygons likewise.
-void define_arrays(py::module_& module);
+/// region i the polygons likewise. To be called when the module is made.
+void prepare_arrays();
 
 /// Whether it is an object of that type.
 bool is_arrays(py::handle value);

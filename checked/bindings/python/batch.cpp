@@ -8,8 +8,9 @@
 #include <vector>
 
 #include "checked/bindings/python/arrays.hpp"
+#include "checked/bindings/python/module.hpp"
 #include "checked/bindings/python/numbers.hpp"
-#include "checked/bindings/python/operation.hpp"
+#include "checked/bindings/python/output.hpp"
 #include "checked/bindings/python/shapes.hpp"
 #include "checked/bindings/python/workers.hpp"
 #include "checked/oplus/internal/named_operations.hpp"
@@ -18,29 +19,34 @@ namespace oplus::python {
 
 namespace {
 
-/// A message without what it starts with: "region: it is empty" is about a region of many.
-std::string without_place(const InvalidInput& error) {
-  const std::string text = error.what();
-  const std::size_t colon = text.find(": ");
-  return error.where().line == 0 && colon != std::string::npos ? text.substr(colon + 2) : text;
-}
-
-/// Why something is not the region it should be.
+/// What is wrong with one of many.
 struct Wrong {
-  py::object error() const { return type()(message); }
+  /// Of a region that is invalid. Its message is without what it starts with: "region: it is empty".
+  Wrong(const InvalidInput& error, std::string at, std::size_t i)
+      : invalid(error), place(std::move(at)), index(i), message(error.what()) {
+    if (error.where().line == 0) message.erase(0, error.where().file.size() + 2);
+  }
+
+  /// Of something of another type.
+  Wrong(const py::type_error& error, std::string at, std::size_t i)
+      : place(std::move(at)), index(i), message(error.what()) {}
+
+  py::object error() const {
+    const std::string line = place + ": " + message;
+    return invalid ? error_of(*invalid, line, place, py::int_(index))
+                   : py::handle(PyExc_TypeError)(line);
+  }
 
   [[noreturn]] void raise() const {
-    PyErr_SetString(type().ptr(), message.c_str());
+    const py::object raised = error();
+    PyErr_SetObject(py::type::of(raised).ptr(), raised.ptr());
     throw py::error_already_set();
   }
 
-  py::object type() const {
-    return is_type_error ? py::reinterpret_borrow<py::object>(PyExc_TypeError)
-                         : py::module_::import("oplus").attr("InvalidInput");
-  }
-
+  std::optional<InvalidInput> invalid;
+  std::string place;
+  std::size_t index;
   std::string message;
-  bool is_type_error = false;
 };
 
 /// The regions that stand on one side of the pairs.
@@ -112,7 +118,8 @@ Compute compute_of(const std::string& name) {
 }
 
 py::list batch(const std::string& name, py::handle p_value, py::handle q_value,
-               const std::string& boundary, long long threads, const std::string& errors) {
+               const std::string& boundary, long long threads, const std::string& errors,
+               py::handle progress) {
   const Compute compute = compute_of(name);
   const SumOptions options{.boundary = boundary_of(boundary)};
   if (options.boundary == Boundary::open && name != "sum" && name != "minkowski_sum")
@@ -123,10 +130,10 @@ py::list batch(const std::string& name, py::handle p_value, py::handle q_value,
   const std::size_t n = number_of_pairs(p, q);
   std::vector<ValidSet> sums(n);
   std::vector<std::optional<Wrong>> wrong(n);
-  for_each_below(n, threads, [&](std::size_t i) {
+  for_each_below(n, threads, progress, [&](std::size_t i) {
     char side = 'p';
     const auto place = [&] {
-      return "pair " + std::to_string(i) + (side == ' ' ? "" : std::string(", ") + side) + ": ";
+      return "pair " + std::to_string(i) + (side == ' ' ? "" : std::string(", ") + side);
     };
     try {
       const PreparedRegion of_p = p[i];
@@ -136,9 +143,9 @@ py::list batch(const std::string& name, py::handle p_value, py::handle q_value,
       sums[i] = compute(of_p, of_q, options);
       sums[i].region();  // computed when first asked for, so here
     } catch (const InvalidInput& error) {
-      wrong[i] = {place() + without_place(error)};
+      wrong[i].emplace(error, place(), i);
     } catch (const py::type_error& error) {
-      wrong[i] = {place() + error.what(), true};
+      wrong[i].emplace(error, place(), i);
     }
   });
   py::list results(n);
@@ -160,11 +167,11 @@ py::list from_arrays(py::handle value, long long threads) {
   const RegionArrays arrays(value);
   std::vector<ValidRegion> regions(arrays.size());
   std::vector<std::optional<Wrong>> wrong(arrays.size());
-  for_each_below(arrays.size(), threads, [&](std::size_t i) {
+  for_each_below(arrays.size(), threads, py::none(), [&](std::size_t i) {
     try {
       regions[i] = ValidRegion(arrays[i]);
     } catch (const InvalidInput& error) {
-      wrong[i] = {"region " + std::to_string(i) + ": " + without_place(error)};
+      wrong[i].emplace(error, "region " + std::to_string(i), i);
     }
   });
   py::list result(regions.size());
@@ -194,52 +201,9 @@ Boundary boundary_of(const std::string& name) {
 }
 
 void define_batch(py::module_& m) {
-  m.def("batch", batch, py::arg("operation"), py::arg("p"), py::arg("q"), py::kw_only(),
-        py::arg("boundary") = "closed", py::arg("threads") = 0, py::arg("errors") = "raise",
-        R"(batch(operation, p, q, *, boundary='closed', threads=0, errors='raise')
---
-
-Returns the list of operation(p[i], q[i]), computed on all cores, or on that many threads.
-
-operation: 'sum' (or 'minkowski_sum'), 'nfp', 'ifp', 'erode', 'open' or 'close'. p, q: Arrays, or lists of
-whatever Region takes, as long as each other; or one region for all pairs (not as a list).
-Regions only: line strings and points are summands of the function minkowski_sum.
-boundary='open' is for 'sum' only. An invalid region raises InvalidInput, another type
-than Region takes TypeError, which name the first such pair; with errors='return' the exceptions
-are in the list and the other pairs are computed.
-
->>> bin = oplus.Region([[0, 0], [9, 0], [9, 9], [0, 9]])
->>> parts = [[[0, 0], [w, 0], [w, 1], [0, 1]] for w in (3, 9, 10)]
->>> for place in oplus.batch('ifp', bin, parts): print(place)
-POLYGON ((0 0, 6 0, 6 8, 0 8, 0 0))
-GEOMETRYCOLLECTION (LINESTRING (0 0, 0 8))
-POLYGON EMPTY
-)");
-  m.def("from_arrays", from_arrays, py::arg("arrays"), py::kw_only(), py::arg("threads") = 0,
-        R"(from_arrays(arrays, *, threads=0)
---
-
-Returns the list of a Region for each region of Arrays, coordinates exactly. Checked on all cores,
-or on that many threads; coordinates of type float64 and int64 are not copied before. Raises
-InvalidInput where arrays don't fit together or a region is invalid.
-
->>> import numpy
->>> points = numpy.array([[0, 0], [4, 0], [4, 4], [0, 4], [1, 1], [2, 1], [1, 2]])
->>> [ring] = oplus.from_arrays(oplus.Arrays(points, rings=[0, 4, 7], polygons=[0, 2]))
->>> print(ring)
-POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0), (1 1, 1 2, 2 1, 1 1))
-)");
-  m.def("to_arrays", to_arrays, py::arg("regions"),
-        R"(to_arrays(regions)
---
-
-Returns Arrays of one or many regions or results, each coordinate the nearest double. Rings don't
-repeat their first point. Dangling edges and isolated vertices of results are left out.
-
->>> arrays = oplus.to_arrays(oplus.Region([[0, 0], ['1/3', 0], [0, 1]]))
->>> arrays.coordinates.tolist(), arrays.rings.tolist()
-([[0.0, 0.0], [0.3333333333333333, 0.0], [0.0, 1.0]], [0, 3])
-)");
+  m.def("batch", batch);
+  m.def("from_arrays", from_arrays);
+  m.def("to_arrays", to_arrays);
 }
 
 }  // namespace oplus::python

@@ -36,11 +36,5 @@ class type_caster<oplus::PreparedRegion>
     : public oplus::python::InstanceCaster<oplus::PreparedRegion> {};
 template <>
 class type_caster<oplus::ValidSet> : public oplus::python::InstanceCaster<oplus::ValidSet> {};
-template <>
-class type_caster<oplus::Rounded> : public oplus::python::InstanceCaster<oplus::Rounded> {};
-template <>
-class type_caster<oplus::Reason> : public oplus::python::InstanceCaster<oplus::Reason> {};
-template <>
-class type_caster<oplus::Verdict> : public oplus::python::InstanceCaster<oplus::Verdict> {};
 
 }  // namespace pybind11::detail

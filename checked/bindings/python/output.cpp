@@ -11,32 +11,6 @@ namespace {
 
 py::list chain_of(const Chain& chain) { return points_of(chain); }
 
-py::tuple pair(const Point& p) {
-  const auto [x, y] = to_double(p);
-  return py::make_tuple(x, y);
-}
-
-/// Its first point is repeated, as GeoJSON has it.
-py::tuple ring(const Chain& chain) {
-  py::tuple result(chain.size() + 1);
-  for (std::size_t i = 0; i <= chain.size(); ++i) result[i] = pair(chain[i % chain.size()]);
-  return result;
-}
-
-py::tuple polygon(const Component& component) {
-  py::tuple rings(1 + component.holes.size());
-  rings[0] = ring(component.outer);
-  for (std::size_t i = 0; i < component.holes.size(); ++i) rings[i + 1] = ring(component.holes[i]);
-  return rings;
-}
-
-py::dict geometry(const char* type, const py::object& coordinates) {
-  py::dict result;
-  result["type"] = type;
-  result["coordinates"] = coordinates;
-  return result;
-}
-
 }  // namespace
 
 py::list components_of(const std::vector<Component>& components) {
@@ -62,41 +36,20 @@ py::list points_of(const std::vector<Point>& points) {
   return result;
 }
 
-py::dict geo_interface(const ValidRegion& region, const std::vector<Segment>& edges,
-                       const std::vector<Point>& points) {
-  if (is_unbounded(region))
-    throw InvalidInput({"region", 0, 0}, "it is unbounded", "a bounded region");
-  py::list all;
-  const auto& components = region.components();
-  if (components.size() == 1) {
-    all.append(geometry("Polygon", polygon(components[0])));
-  } else if (!components.empty()) {
-    py::tuple polygons(components.size());
-    for (std::size_t i = 0; i < components.size(); ++i) polygons[i] = polygon(components[i]);
-    all.append(geometry("MultiPolygon", polygons));
-  }
-  for (const Segment& edge : edges)
-    all.append(geometry("LineString", py::make_tuple(pair(edge.source), pair(edge.target))));
-  for (const Point& p : points) all.append(geometry("Point", pair(p)));
-  if (all.size() == 1) return all[0];
-  py::dict collection;
-  collection["type"] = "GeometryCollection";
-  collection["geometries"] = py::tuple(all);
-  return collection;
-}
-
-py::object to_shapely(const py::dict& geometry) {
-  return py::module_::import("shapely.geometry").attr("shape")(geometry);
-}
-
-py::bytes bytes_of(const std::string& digits) {
-  return py::module_::import("builtins").attr("bytes").attr("fromhex")(digits);
-}
-
 std::string name_of(Location location) {
   return location == Location::inside     ? "inside"
          : location == Location::boundary ? "boundary"
                                           : "outside";
+}
+
+py::object error_of(const InvalidInput& error, const std::string& message, const std::string& place,
+                    const py::object& index) {
+  const auto known = [](std::size_t n) { return n == 0 ? py::object(py::none()) : py::int_(n); };
+  return py::module_::import("oplus._errors")
+      .attr("InvalidInput")(
+          message, py::arg("place") = place, py::arg("line") = known(error.where().line),
+          py::arg("column") = known(error.where().column), py::arg("wrong") = error.wrong(),
+          py::arg("expected") = error.expected(), py::arg("index") = index);
 }
 
 }  // namespace oplus::python

@@ -22,18 +22,11 @@ py::list edges_of(const std::vector<Segment>& edges);
 /// Returns a list of pairs of Fractions.
 py::list points_of(const std::vector<Point>& points);
 
-/// Returns a GeoJSON geometry, each coordinate the nearest double. Throws InvalidInput where the region is
-/// unbounded.
-py::dict geo_interface(const ValidRegion& region, const std::vector<Segment>& edges,
-                       const std::vector<Point>& points);
-
-/// Returns Shapely's geometry of the same. Throws py::error_already_set where Shapely is not installed.
-py::object to_shapely(const py::dict& geometry);
-
-/// Returns the bytes of hexadecimal digits.
-py::bytes bytes_of(const std::string& digits);
-
 /// Returns "inside", "boundary" or "outside".
 std::string name_of(Location location);
+
+/// Returns an oplus.InvalidInput. `message`, `place` and `index` say which of many it is about.
+py::object error_of(const InvalidInput& error, const std::string& message, const std::string& place,
+                    const py::object& index);
 
 }  // namespace oplus::python

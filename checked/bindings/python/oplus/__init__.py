@@ -9,16 +9,17 @@ but not while values of Python are converted.
 POLYGON ((0 0, 3 0, 3 1, 1 3, 0 3, 0 0))
 """
 
-from . import _oplus
-from ._oplus import (Arrays, InvalidInput, Placements, PlanarSet, Reason, Region, Rounded, Verdict, batch,
-                     certify, close, complement, depth, disc, distance, erode, from_arrays, ifp, minkowski_sum, nfp,
-                     open, read_file, read_set_file, repair, rotation, rounded, to_arrays, verify)
+from ._arrays import Arrays
+from ._errors import InvalidInput
+from ._functions import (Placements, certify, close, complement, depth, disc, distance, erode, ifp, minkowski_sum, nfp,
+                         open, read_file, read_set_file, repair, rotation, rounded, verify)
+from ._many import batch, from_arrays, to_arrays
+from ._oplus import __version__
+from ._results import Reason, Rounded, Verdict
+from ._sets import PlanarSet, Region, _Both  # which the stubs have too
 
 __all__ = ["Arrays", "InvalidInput", "Placements", "PlanarSet", "Reason", "Region", "Rounded", "Verdict",
            "batch", "certify", "close", "complement", "depth", "disc", "distance", "erode", "from_arrays", "ifp",
            "minkowski_sum", "nfp", "open", "read_file", "read_set_file", "repair", "rotation", "rounded", "to_arrays", "verify"]
-__version__ = _oplus.__version__
 
-for _class in (Placements, PlanarSet, Reason, Region, Rounded, Verdict):
-    _class.__module__ = "oplus"
-del _class
+InvalidInput.__module__ = "oplus"
