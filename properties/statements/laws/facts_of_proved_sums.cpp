@@ -88,7 +88,8 @@ const Registered fact_verify(
     tight_mixture(),
     {
         .id = "fact-verify",
-        .kills = {"chains-may-run-either-way", "edges-of-convex-sums-count-on-neither-side",
+        .kills = {"chains-may-run-either-way", "copies-are-anywhere-on-a-line-upwards",
+                  "edges-of-convex-sums-count-on-neither-side",
                   "points-between-convex-sums-are-inside", "points-need-not-bound",
                   "sides-of-convex-sums-start-anywhere", "triangles-end-where-edges-do",
                   "verify-sees-no-dangling-edges"},
