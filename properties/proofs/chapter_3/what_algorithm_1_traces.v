@@ -191,7 +191,8 @@ Section Arrangement.
 
     (* Theorem. *)
     Theorem edges_around_are_traced (stack : list segment) : forall earlier, NoDup earlier ->
-      incl earlier arrangement -> incl stack arrangement -> is_closed earlier -> forall e, In e around -> In e stack -> ~ In e earlier ->
+      incl earlier arrangement -> incl stack arrangement -> is_closed earlier ->
+      forall e, In e around -> In e stack -> ~ In e earlier ->
       In e (concat (trace_loops arrangement stack earlier)) \/ best (step_on e) = Some e.
     Proof.
       induction stack as [| g rest IH]; intros earlier once part part_stack closed e E I new; [destruct I |].

@@ -4,8 +4,8 @@
    simple chains, and do not cross; and each point inside an edge of a loop is on the boundary of a face, which is to
    the left of the edge. That all of the boundary is one chain is false (refuted_corollary_3_1_3.v). *)
 From Coq Require Import QArith Qminmax Lqa ZArith Lia Bool List.
-From Oplus Require Import regions_and_sums simple_chain valid_components connected_sets theorem_2_2_10 lemma_2_2_2 inside_a_corner
-  lemma_3_1_2 collision_is_sound valid_regions_are_accepted nested_polygons printed_lemma_2_2_2
+From Oplus Require Import regions_and_sums simple_chain valid_components connected_sets theorem_2_2_10 lemma_2_2_2
+  inside_a_corner lemma_3_1_2 collision_is_sound valid_regions_are_accepted nested_polygons printed_lemma_2_2_2
   refuted_definition_2_1_9 refuted_corollary_3_1_3 loops_of_the_boundary.
 Import ListNotations.
 

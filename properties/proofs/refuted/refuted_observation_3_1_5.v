@@ -38,7 +38,7 @@ Definition is_listed {A : Type} (same : forall a b : A, {a = b} + {a <> b}) (a :
   if in_dec same a l then true else false.
 
 Lemma is_listed_spec {A : Type} (same : forall a b : A, {a = b} + {a <> b}) (a : A) (l : list A) :
-  if is_listed same a l then In a l else ~ In a l.
+  (is_listed same a l = true -> In a l) /\ (is_listed same a l = false -> ~ In a l).
 Proof. unfold is_listed. now destruct (in_dec same a l). Qed.
 
 Lemma what_is_computed :
@@ -50,14 +50,21 @@ Lemma what_is_computed :
   is_listed segment_dec e (filled (convolution_segments p q)) = false.
 Proof. vm_compute. repeat split. Qed.
 
+Lemma not_on_the_boundary (p q : region) (e : segment) : valid_region p -> valid_region q ->
+  In e (convolution_arrangement p q) -> ~ In e (filled (convolution_segments p q)) -> ~ is_boundary_edge p q e.
+Proof.
+  intros p_region q_region listed none boundary.
+  apply (boundary_edges_are_those_of_the_loops p q p_region q_region e listed) in boundary.
+  exact (none (Permutation_in _ (edges_of_the_loops p q p_region q_region) boundary)).
+Qed.
+
 (* Theorem. *)
 Theorem observation_3_1_5_is_false_as_printed : ~ observation_3_1_5_as_printed.
 Proof.
   intros printed. destruct what_is_computed as (p_test & q_test & no_collision & loop_listed & e_listed & not_filled).
   apply covers_nothing_twice_is_right in p_test, q_test.
   destruct p_test as [p_region p_simple], q_test as [q_region q_simple].
-  pose proof (is_listed_spec (list_eq_dec segment_dec) false_loop (algorithm_1 (convolution_arrangement
-    (region_of square_with_a_triangle) (region_of triangle_that_fits)))) as L. rewrite loop_listed in L.
+  apply is_listed_spec in loop_listed as L.
   specialize (printed square_with_a_triangle triangle_that_fits false_loop (Segment (Vector 0 (-1)) (Vector 0 0))
     (Vector 0 0)).
   revert printed p_region p_simple q_region q_simple no_collision L e_listed not_filled. clear loop_listed.
@@ -66,13 +73,10 @@ Proof.
   set (e := Segment (Vector 0 (-1)) (Vector 0 0)).
   generalize dependent (region_of square_with_a_triangle). generalize dependent (region_of triangle_that_fits).
   intros q p printed p_region p_simple q_region q_simple no_collision L e_listed not_filled.
-  pose proof (is_listed_spec segment_dec e (convolution_arrangement p q)) as listed. rewrite e_listed in listed.
-  pose proof (is_listed_spec segment_dec e (filled (convolution_segments p q))) as none. rewrite not_filled in none.
+  apply is_listed_spec in e_listed as listed. apply is_listed_spec in not_filled as none.
   assert (meet : interiors_meet (Vector 0 0) p q).
   { apply printed; [exact p_valid | exact q_valid | | now left | exact (target_lies_on e)]. split; [exact L |].
-    intros boundary. specialize (boundary e (or_introl eq_refl)).
-    apply (boundary_edges_are_those_of_the_loops p q p_region q_region e listed) in boundary.
-    exact (none (Permutation_in _ (edges_of_the_loops p q p_region q_region) boundary)). }
+    intros boundary. exact (not_on_the_boundary p q e p_region q_region listed none (boundary e (or_introl eq_refl))). }
   apply (collide_decides_whether_interiors_meet p q (Vector 0 0) p_region q_region p_simple q_simple) in meet.
   congruence.
 Qed.
@@ -102,8 +106,7 @@ Section Corrected.
     exists h. split; assumption.
   Qed.
 
-  (* Theorem, Observation 3.1.5 as corrected: x is inside an edge. *)
-  Theorem observation_3_1_5_as_corrected (e : segment) (x : vector) :
+  Lemma inner_points_inside_edges (e : segment) (x : vector) :
     In e loop -> strictly_inside x e -> inner_point_of_sum x p q.
   Proof.
     intros E inside_. destruct (edges_of_false_loops e E) as [listed not_on].
@@ -138,7 +141,7 @@ Section Corrected.
   Lemma collide_beside (e : segment) (x n : vector) : In e loop -> strictly_inside x e -> ~ cross (along e) n == 0 ->
     eventually (fun t => interiors_meet (moved_along x n t) p q).
   Proof.
-    intros E inside_ turn. destruct (observation_3_1_5_as_corrected e x E inside_) as (radius & R & inner).
+    intros E inside_ turn. destruct (inner_points_inside_edges e x E inside_) as (radius & R & inner).
     destruct (edges_of_false_loops e E) as [listed _].
     pose proof (arrangement_is_directed p q p_region q_region e listed) as D.
     pose proof (pieces_are_met_along _ _ (pieces_are_pieces segments all_long)) as met.
@@ -158,8 +161,7 @@ Section Corrected.
     intros t [off_ close]. exact (common_point_off_the_convolution p q _ p_region q_region off_ (inner _ close)).
   Qed.
 
-  (* Theorem. Where P and -Q + x do not collide, x is a sum of two vertices, or an edge runs back. *)
-  Theorem false_loops_make_them_collide (e : segment) (x : vector) : nowhere_above_one p -> nowhere_above_one q ->
+  Lemma collide_inside_edges (e : segment) (x : vector) : nowhere_above_one p -> nowhere_above_one q ->
     In e loop -> strictly_inside x e -> ~ In (reversed e) arrangement ->
     (forall w u, is_vertex w p -> is_vertex u q -> ~ equal_vectors x (plus w u)) -> interiors_meet x p q.
   Proof.
@@ -218,3 +220,33 @@ Section Corrected.
             (arrangement_is_directed p q p_region q_region _ listed') other other' inside_ on_).
   Qed.
 End Corrected.
+
+(* Theorem, Observation 3.1.5 as corrected: x is inside an edge. *)
+Theorem observation_3_1_5_as_corrected (p q : region) (loop : list segment) (e : segment) (x : vector) :
+  valid_region p -> valid_region q -> is_false_loop p q loop -> In e loop -> strictly_inside x e ->
+  inner_point_of_sum x p q.
+Proof. intros p_region q_region false_. exact (inner_points_inside_edges p q p_region q_region loop false_ e x). Qed.
+
+(* Theorem. Where P and -Q + x do not collide, x is a sum of two vertices, or an edge runs back. *)
+Theorem false_loops_make_them_collide (p q : region) (loop : list segment) (e : segment) (x : vector) :
+  valid_region p -> valid_region q -> nowhere_above_one p -> nowhere_above_one q -> is_false_loop p q loop ->
+  In e loop -> strictly_inside x e -> ~ In (reversed e) (convolution_arrangement p q) ->
+  (forall w u, is_vertex w p -> is_vertex u q -> ~ equal_vectors x (plus w u)) -> interiors_meet x p q.
+Proof.
+  intros p_region q_region p_simple q_simple false_.
+  exact (collide_inside_edges p q p_region q_region loop false_ e x p_simple q_simple).
+Qed.
+
+(* Inside the first edge of the false loop. *)
+Example inside_an_edge_of_the_false_loop :
+  inner_point_of_sum (Vector 0 (- (1 # 2))) (region_of square_with_a_triangle) (region_of triangle_that_fits).
+Proof.
+  destruct what_is_computed as (p_test & q_test & _ & loop_listed & e_listed & not_filled).
+  apply covers_nothing_twice_is_right in p_test, q_test. destruct p_test as [p_region _], q_test as [q_region _].
+  apply is_listed_spec in loop_listed, e_listed, not_filled.
+  assert (E : In (Segment (Vector 0 (-1)) (Vector 0 0)) false_loop) by exact (or_introl eq_refl).
+  refine (observation_3_1_5_as_corrected _ _ false_loop _ _ p_region q_region (conj loop_listed _) E _).
+  - intros boundary.
+    exact (not_on_the_boundary _ _ _ p_region q_region e_listed not_filled (boundary _ E)).
+  - exists (1 # 2). cbn [source target vx vy]. split; [lra | split; lra].
+Qed.
