@@ -12,14 +12,14 @@ Import ListNotations.
 
 Open Scope Q_scope.
 
-Definition touches_beside (e : segment) (p q : region) (x : vector) (is_beside : Q -> Prop) : Prop :=
+Definition sum_is_beside (e : segment) (p q : region) (x : vector) (is_beside : Q -> Prop) : Prop :=
   forall radius, 0 < radius -> exists y, within radius x y /\ is_beside (area e y) /\ interiors_meet y p q.
 
 (* Definition 3.2.7. *)
 Definition dangling_edge (e : segment) (p q : region) : Prop :=
   nonzero (along e) /\
   forall x, strictly_inside x e -> ~ interiors_meet x p q /\
-    touches_beside e p q x (fun area => 0 < area) /\ touches_beside e p q x (fun area => area < 0).
+    sum_is_beside e p q x (fun area => 0 < area) /\ sum_is_beside e p q x (fun area => area < 0).
 
 Section DanglingEdge.
   Variables p q : region.
@@ -70,7 +70,7 @@ Section DanglingEdge.
   Lemma open_on_a_side (x n : vector) (is_beside : Q -> Prop) : strictly_inside x e -> is_general x ->
     (is_beside = (fun area => 0 < area) /\ 0 < cross (along e) n \/
      is_beside = (fun area => area < 0) /\ cross (along e) n < 0) ->
-    touches_beside e p q x is_beside -> eventually (fun t => interiors_meet (moved_along x n t) p q).
+    sum_is_beside e p q x is_beside -> eventually (fun t => interiors_meet (moved_along x n t) p q).
   Proof.
     intros inside_ [met _] side touches_. pose proof (strictly_inside_lies_on _ _ inside_) as on.
     pose proof p_region as (p_edges & _). pose proof q_region as (q_edges & _).

@@ -102,7 +102,7 @@ Section Arrangement.
     | e :: rest => best_direction e = match rest with [] => end_ | f :: _ => Some f end /\ leads_to rest end_
     end.
 
-  Lemma leads_further (l : list segment) (f : segment) (end_ : option segment) :
+  Lemma path_goes_on (l : list segment) (f : segment) (end_ : option segment) :
     leads_to l (Some f) -> best_direction f = end_ -> leads_to (l ++ [f]) end_.
   Proof.
     intros leads best. induction l as [| e [| g l] IH]; cbn in *; [now split | tauto |]. split; [apply leads |].
@@ -140,7 +140,7 @@ Section Arrangement.
       + now constructor.
       + intros g [<- | G]; [now apply next_ | now apply part].
       + intros g best. now apply (best_direction_is f).
-      + cbn [rev]. now apply leads_further.
+      + cbn [rev]. now apply path_goes_on.
       + repeat split; trivial. intros g G. apply more. now right.
   Qed.
 
