@@ -65,7 +65,7 @@ Proof.
   intros p_region q_region. exists (boundary_loops p q). split; [| split].
   - now apply boundary_is_on_the_loops.
   - intros loop L. apply simple_chains_are_orientable_loops.
-    exact (proj1 (proj2 (loops_do_not_cross p q p_region q_region)) loop L).
+    exact (proj1 (proj2 (boundary_loops_do_not_cross p q p_region q_region)) loop L).
   - intros e E. split; [now apply reduced_segment_along_the_loops |]. intros s x S inside_ on.
     exact (proj2 (segments_along_the_loops p q p_region q_region e s x E S inside_ on)).
 Qed.

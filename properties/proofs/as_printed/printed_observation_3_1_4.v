@@ -96,7 +96,7 @@ Theorem observation_3_1_4_as_printed (p q : region) :
        (is_counterclockwise a = false -> is_counterclockwise b = true)) /\
     (forall b, In b loops -> (forall a, In a loops -> ~ encloses a b) -> is_counterclockwise b = true).
 Proof.
-  intros p_region q_region. pose proof (loops_do_not_cross p q p_region q_region) as apart_.
+  intros p_region q_region. pose proof (boundary_loops_do_not_cross p q p_region q_region) as apart_.
   exists (boundary_loops p q). split; [now apply boundary_is_on_the_loops |]. split; [| split; [| split]].
   - intros loop L. apply simple_chains_are_orientable_loops. exact (proj1 (proj2 apart_) loop L).
   - intros e E. split; [now apply reduced_segment_along_the_loops |]. intros s x S inside_ on.

@@ -10,63 +10,10 @@ From Oplus Require Import regions_and_sums secants simple_chain valid_components
   theorem_2_2_6 theorem_2_3_2 inside_a_corner reduced_convolution lemma_3_1_2 pieces met_pieces naive_collision
   collision_is_sound beside_a_piece filling kept_pieces_go_round cut_pieces rule_of_sides beside_a_vertex
   region_of_pieces walks canonical_regions specification_bridge nested_chains nested_polygons
-  valid_regions_are_accepted written_rings written_regions sum_is_right.
+  valid_regions_are_accepted written_rings written_regions sum_is_right rings_that_do_not_cross.
 Import ListNotations.
 
 Open Scope Q_scope.
-
-(* Whatever the set is that ends at pieces. *)
-Section Rings.
-  Variable segments : list segment.
-  Variable inside : vector -> bool.
-  Variable right_inside : segment -> bool.
-  Hypothesis ends_ : ends_at_pieces inside right_inside (pieces_of segments).
-  Variable kept : list segment.
-  Hypothesis kept_are : Permutation kept (kept_pieces right_inside (pieces_of segments)).
-
-  Let rings := rings_in_order (chains_of (length kept) kept).
-  Let parts := kept_parts segments inside right_inside ends_ kept kept_are.
-  Let take_kept := rings_take_kept segments inside right_inside ends_ kept kept_are.
-  Let pass_once := rings_pass_once kept.
-  Let disjoint := rings_are_disjoint segments inside right_inside ends_ kept kept_are.
-  Let same_right := same_right_of_ring segments inside right_inside ends_ kept kept_are.
-
-  Lemma rings_are_kept (a : list vector) : In a rings -> incl (edges a) kept.
-  Proof. apply (edges_of_rings segments inside right_inside ends_). exact kept_are. Qed.
-
-  Lemma kept_rings_are_simple (a : list vector) : In a rings -> simple a.
-  Proof.
-    intros A. destruct (pass_once a A) as [once some].
-    now apply (rings_are_simple_chains kept a parts (rings_are_kept a A)).
-  Qed.
-
-  Lemma rings_are_valid : valid_region rings /\ nowhere_above_one rings.
-  Proof.
-    apply (same_edges_are_valid (chains_of (length kept) kept)).
-    - symmetry. apply rings_in_order_have_the_edges.
-    - exact (chains_are_written_of_kept segments inside right_inside ends_ kept kept_are).
-  Qed.
-
-  (* Theorem. The rings do not cross. *)
-  Theorem rings_do_not_cross : do_not_cross rings.
-  Proof.
-    split; [| split; [exact kept_rings_are_simple | split; [exact rings_are_valid |]]].
-    - apply (parts_are_distinct edges).
-      + exact (edges_once segments inside right_inside ends_ kept kept_are).
-      + intros a A none. destruct (some_edge kept a A) as (e & E). now rewrite none in E.
-    - intros a b A B other. split.
-      + intros p (s & S & on_s) (t & T & on_t).
-        assert (differ : s <> t) by (intros ->; exact (disjoint a b A B other t T S)).
-        destruct (inside_or_end p s on_s) as [inside_ | [equal | equal]].
-        * exfalso. apply (nothing_inside _ parts s t p); trivial; [now apply (rings_are_kept a) |
-            now apply (rings_are_kept b)].
-        * exists s. split; [apply in_app_iff; now left | now symmetry].
-        * destruct (edge_from_vertex a (target s) (proj2 (ends_of_edges a s S))) as (f & F & is_target).
-          exists f. split; [apply in_app_iff; now left |]. rewrite is_target. now symmetry.
-      + destruct (some_edge kept b B) as (k & K). intros p q on_p free_p on_q free_q.
-        now rewrite !(number_all_along kept parts rings take_kept same_right a b _ k A B (disjoint a b A B other) K).
-  Qed.
-End Rings.
 
 (* A point inside a segment that is none of finitely many. *)
 Lemma point_inside_but_for (e : segment) (points : list vector) : nonzero (along e) ->
@@ -129,6 +76,145 @@ Proof.
     + rewrite edge_at_is by exact J. unfold along, plus, minus. cbn [source target vx vy]. split; cbn [vx vy]; ring.
 Qed.
 
+(* Some segments of the convolution, all of the reduced one among them, and those of their pieces that are kept: loops
+   of these, of which the points are those of the sum. *)
+Record loops_of_the_sum (p q : region) (segments kept : list segment) (loops : region) : Prop := {
+  of_the_convolution : incl segments (convolution_segments p q);
+  with_the_reduced_ones : incl (reduced_convolution p q) segments;
+  kept_share_ends_only : share_ends_only kept;
+  kept_are_pieces : forall e, In e kept -> directed (pieces_of segments) e;
+  loops_take_kept : Permutation (region_edges loops) kept;
+  loops_are_valid : valid_region loops /\ nowhere_above_one loops;
+  loops_fill_the_sum : forall x, in_region x loops <-> in_sum x p q }.
+
+Section Boundary.
+  Variables p q : region.
+  Hypothesis p_region : valid_region p.
+  Hypothesis q_region : valid_region q.
+  Variables segments kept : list segment.
+  Variable loops : region.
+  Hypothesis loops_ : loops_of_the_sum p q segments kept loops.
+
+  Let parts := kept_share_ends_only _ _ _ _ _ loops_.
+  Let edges_are := loops_take_kept _ _ _ _ _ loops_.
+  Let fills := loops_fill_the_sum _ _ _ _ _ loops_.
+
+  Lemma segments_are_long (t : segment) : In t segments -> nonzero (along t).
+  Proof. intros T. apply (all_are_long p q p_region q_region), (of_the_convolution _ _ _ _ _ loops_), T. Qed.
+
+  Lemma kept_are_edges (e : segment) : In e kept <-> In e (region_edges loops).
+  Proof. split; apply Permutation_in; [exact (Permutation_sym edges_are) | exact edges_are]. Qed.
+
+  (* What is not on the loops is an inner point, or outside. *)
+  Lemma off_the_loops_of_segments (x : vector) : off x (region_edges loops) ->
+    inner_point_of_sum x p q \/ exists radius, 0 < radius /\ forall y, within radius x y -> ~ in_sum y p q.
+  Proof.
+    intros free. destruct (winding_number_near x _ (region_cycles loops) free) as (r1 & R1 & near).
+    destruct (Z_lt_le_dec 0 (winding_number x (region_edges loops))) as [some | none]; [left | right].
+    - exists r1. split; [exact R1 |]. intros y close. apply fills. left.
+      now destruct (near y close) as [_ ->].
+    - exists r1. split; [exact R1 |]. intros y close in_. apply fills in in_.
+      destruct (near y close) as [free_y same]. destruct in_ as [some | (s & S & on)]; [lia | exact (free_y s S on)].
+  Qed.
+
+  (* Theorem. The boundary is what is on the loops. *)
+  Theorem boundary_is_kept (x : vector) :
+    on_boundary_of_sum x p q <-> exists e, In e kept /\ lies_on x e.
+  Proof.
+    split.
+    - intros boundary. destruct (on_or_off x (region_edges loops)) as [(e & E & on) | free];
+        [exists e; split; [now apply kept_are_edges | exact on] | exfalso].
+      destruct (off_the_loops_of_segments x free) as [inner | (radius & R & none)].
+      + exact (inner_points_are_not_on_the_boundary p q x inner boundary).
+      + destruct (boundary radius R) as [(y & close & in_) _]. exact (none y close in_).
+    - intros (e & E & on) radius R. apply kept_are_edges in E.
+      destruct (loops_are_valid _ _ _ _ _ loops_) as [valid above]. split.
+      + exists x. split; [unfold within; lra |]. apply fills. right. exists e. now split.
+      + destruct (outside_is_near loops x e radius valid above E on R) as (y & close & free & none).
+        exists y. split; [exact close |]. rewrite <- fills.
+        intros [some | (s & S & on_s)]; [lia | exact (free s S on_s)].
+  Qed.
+
+  Lemma no_vertex_inside_kept (e : segment) (x : vector) : In e kept -> strictly_inside x e ->
+    ~ is_vertex x loops.
+  Proof.
+    intros E inside_ (f & F & equal). apply kept_are_edges in F. destruct (segment_dec e f) as [<- | other].
+    - exact (proj1 (ends_are_not_inside e x (are_long _ parts e E) inside_) equal).
+    - apply (nothing_inside _ parts e f x E F other); [| exact inside_].
+      apply (lies_on_equal (source f)); [now symmetry | apply source_lies_on].
+  Qed.
+
+  Lemma nothing_right_of_kept (e : segment) (x : vector) : In e kept -> strictly_inside x e ->
+    complement_to_the_right x (along e) p q.
+  Proof.
+    intros E inside_. destruct (loops_are_valid _ _ _ _ _ loops_) as [valid above].
+    pose proof (strictly_inside_lies_on _ _ inside_) as on.
+    destruct (inside_beside_an_edge loops e x valid above (proj1 (kept_are_edges e) E) on (no_vertex_inside_kept e x E
+      inside_)) as (radius & R & near).
+    exists ((1 # 2) * radius). split; [lra |]. intros y close right_ in_. apply fills in in_.
+    assert (area_y : area e y < 0) by (rewrite (area_from x y e on); exact right_).
+    destruct (some_small _ (in_front_near (Vector (- vy (along e)) (vx (along e))) (source e) y
+      ltac:(unfold in_front, dot; in_coordinates; lra))) as (d & some & stays).
+    destruct valid as (points_ & numbers & meet).
+    destruct (inside_near loops y (Qmin d ((1 # 2) * radius)) (regions_are_regular _ points_ numbers meet) in_)
+      as (z & close_z & in_z).
+    { apply Q.min_glb_lt; lra. }
+    assert (near_z : within radius x z).
+    { pose proof (Q.le_min_r d ((1 # 2) * radius)). unfold within in *. lra. }
+    apply (near z near_z) in in_z.
+    specialize (stays z (within_smaller _ _ _ _ (Q.le_min_l d ((1 # 2) * radius)) close_z)).
+    unfold in_front, dot in stays. in_coordinates. lra.
+  Qed.
+
+  (* Theorem. A segment that has a point inside an edge of a loop goes all along it, in its direction. *)
+  Theorem segments_along_kept (e t : segment) (x : vector) : In e kept -> In t segments ->
+    strictly_inside x e -> lies_on x t ->
+    (forall y, lies_on y e -> lies_on y t) /\ same_direction (along e) (along t).
+  Proof.
+    intros E T inside_ on. pose proof (segments_are_long t T) as long_t.
+    pose proof (are_long _ parts e E) as long_e.
+    destruct (proj2 (cut_returns t (flat_map (intersection t) segments) long_t) x on) as (piece & P & part & on_piece).
+    pose proof (kept_are_pieces _ _ _ _ _ loops_ e E) as D.
+    assert (listed : In (undirected piece) (pieces_of segments)).
+    { apply nodup_In, in_flat_map. exists t. split; [exact T | now apply in_map]. }
+    assert (on_undirected : lies_on x (undirected piece))
+      by exact (lies_on_of_one_place _ _ _ (of_one_place_sym _ _ (undirected_place piece)) on_piece).
+    assert (place_ : of_one_place e piece).
+    { destruct D as [D | D].
+      - rewrite (inside_one_piece segments segments_are_long e (undirected piece) x D listed inside_ on_undirected).
+        apply undirected_place.
+      - rewrite <- (reversed_twice e), (inside_one_piece segments segments_are_long (reversed e) (undirected piece) x D
+          listed
+          (strictly_inside_reversed _ _ inside_) on_undirected).
+        destruct (undirected_place piece) as [[a b] | [a b]]; [right | left]; cbn [reversed source target]; tauto. }
+    assert (covers_ : forall y, lies_on y e -> lies_on y t)
+      by (intros y on_y; exact (part_lies_on piece t y part (lies_on_of_one_place _ _ y place_ on_y))).
+    split; [exact covers_ |].
+    destruct (point_inside_but_for e (sums_of_vertices p q) long_e) as (y & in_e & differ).
+    destruct (segments_pass_but_at_vertices p q y t (of_the_convolution _ _ _ _ _ loops_ t T) (covers_ y
+      (strictly_inside_lies_on _ _ in_e)) differ)
+      as (d & passing & [dx dy]).
+    destruct (boundary_edges_have_the_direction_of_segments p q y d (along e) p_region q_region long_e
+      (nothing_right_of_kept e y E in_e) passing) as [parallel ahead_].
+    apply same_direction_symmetric. destruct (multiple_of (along t) (along e) long_e) as (c & X & Y).
+    { unfold cross in *. rewrite <- dx, <- dy. lra. }
+    exists c. split; [| now split]. pose proof (square_positive _ long_e) as square. unfold dot in *.
+    rewrite dx, dy, X, Y in ahead_. apply Qnot_le_lt. intros none. nra.
+  Qed.
+
+  (* Theorem. A segment of the reduced convolution does. *)
+  Theorem reduced_segment_along_kept (e : segment) : In e kept ->
+    exists t, In t (reduced_convolution p q) /\ (forall y, lies_on y e -> lies_on y t) /\
+      same_direction (along e) (along t).
+  Proof.
+    intros E. pose proof (middle_is_inside e) as inside_.
+    destruct (boundary_is_part_of_the_reduced_convolution p q (middle e) p_region q_region) as (t & T & on).
+    { apply boundary_is_kept. exists e. split; [exact E | now apply strictly_inside_lies_on]. }
+    exists t. split; [exact T |].
+    exact (segments_along_kept e t (middle e) E (with_the_reduced_ones _ _ _ _ _ loops_ t T) inside_ on).
+  Qed.
+End Boundary.
+
 (* The loops of the boundary of the sum. *)
 Definition boundary_loops (p q : region) : list (list vector) :=
   let kept := filled (convolution_segments p q) in rings_in_order (chains_of (length kept) kept).
@@ -144,78 +230,44 @@ Section Sum.
   Let ends_ := filled_ends_at_pieces segments all_long (all_are_closed p q p_region q_region).
   Let kept_are := Permutation_refl (filled segments).
 
-  Lemma edges_of_the_loops : Permutation (region_edges loops) (filled segments).
-  Proof. exact (rings_take_kept segments _ _ ends_ (filled segments) kept_are). Qed.
-
-  Lemma loops_do_not_cross : do_not_cross loops.
+  Lemma boundary_loops_do_not_cross : do_not_cross loops.
   Proof. exact (rings_do_not_cross segments _ _ ends_ (filled segments) kept_are). Qed.
 
-  Lemma loops_are_valid : valid_region loops /\ nowhere_above_one loops.
-  Proof. exact (rings_are_valid segments _ _ ends_ (filled segments) kept_are). Qed.
+  (* Theorem. *)
+  Theorem boundary_loops_are_loops_of_the_sum : loops_of_the_sum p q segments (filled segments) loops.
+  Proof.
+    assert (edges_are : Permutation (region_edges loops) (filled segments))
+      by exact (rings_take_kept segments _ _ ends_ (filled segments) kept_are).
+    split.
+    - apply incl_refl.
+    - intros s. apply reduced_is_part_of_the_convolution.
+    - exact (kept_parts segments _ _ ends_ (filled segments) kept_are).
+    - intros e E. exact (proj1 (proj1 (of_kept segments _ e) E)).
+    - exact edges_are.
+    - exact (rings_are_valid segments _ _ ends_ (filled segments) kept_are).
+    - exact (points_of_the_sum p q loops p_region q_region edges_are).
+  Qed.
 
-  Lemma loops_fill_the_sum (x : vector) : in_region x loops <-> in_sum x p q.
-  Proof. exact (points_of_the_sum p q loops p_region q_region edges_of_the_loops x). Qed.
+  Let loops_ := boundary_loops_are_loops_of_the_sum.
 
-  Lemma kept_share_ends_only : share_ends_only (filled segments).
-  Proof. exact (kept_parts segments _ _ ends_ (filled segments) kept_are). Qed.
+  Lemma edges_of_the_loops : Permutation (region_edges loops) (filled segments).
+  Proof. exact (loops_take_kept _ _ _ _ _ loops_). Qed.
 
-  (* What is not on the loops is an inner point, or outside. *)
+  Lemma filled_are_edges (e : segment) : In e (region_edges loops) <-> In e (filled segments).
+  Proof. symmetry. exact (kept_are_edges p q _ _ loops loops_ e). Qed.
+
   Lemma off_the_loops (x : vector) : off x (region_edges loops) ->
     inner_point_of_sum x p q \/ exists radius, 0 < radius /\ forall y, within radius x y -> ~ in_sum y p q.
-  Proof.
-    intros free. destruct (winding_number_near x _ (region_cycles loops) free) as (r1 & R1 & near).
-    destruct (Z_lt_le_dec 0 (winding_number x (region_edges loops))) as [some | none]; [left | right].
-    - exists r1. split; [exact R1 |]. intros y close. apply loops_fill_the_sum. left.
-      now destruct (near y close) as [_ ->].
-    - exists r1. split; [exact R1 |]. intros y close in_. apply loops_fill_the_sum in in_.
-      destruct (near y close) as [free_y same]. destruct in_ as [some | (s & S & on)]; [lia | exact (free_y s S on)].
-  Qed.
+  Proof. exact (off_the_loops_of_segments p q _ _ loops loops_ x). Qed.
 
   (* Theorem. The boundary is what is on the loops. *)
   Theorem boundary_is_on_the_loops (x : vector) :
     on_boundary_of_sum x p q <-> exists e, In e (region_edges loops) /\ lies_on x e.
-  Proof.
-    split.
-    - intros boundary. destruct (on_or_off x (region_edges loops)) as [on | free]; [exact on | exfalso].
-      destruct (off_the_loops x free) as [inner | (radius & R & none)].
-      + exact (inner_points_are_not_on_the_boundary p q x inner boundary).
-      + destruct (boundary radius R) as [(y & close & in_) _]. exact (none y close in_).
-    - intros (e & E & on) radius R. destruct loops_are_valid as [valid above]. split.
-      + exists x. split; [unfold within; lra |]. apply loops_fill_the_sum. right. now exists e.
-      + destruct (outside_is_near loops x e radius valid above E on R) as (y & close & free & none).
-        exists y. split; [exact close |]. rewrite <- loops_fill_the_sum.
-        intros [some | (s & S & on_s)]; [lia | exact (free s S on_s)].
-  Qed.
+  Proof. setoid_rewrite filled_are_edges. exact (boundary_is_kept p q _ _ loops loops_ x). Qed.
 
   Lemma inside_no_vertex (e : segment) (x : vector) : In e (region_edges loops) -> strictly_inside x e ->
     ~ is_vertex x loops.
-  Proof.
-    intros E inside_ (f & F & equal). pose proof kept_share_ends_only as parts.
-    apply (Permutation_in _ edges_of_the_loops) in E, F. destruct (segment_dec e f) as [<- | other].
-    - exact (proj1 (ends_are_not_inside e x (are_long _ parts e E) inside_) equal).
-    - apply (nothing_inside _ parts e f x E F other); [| exact inside_].
-      apply (lies_on_equal (source f)); [now symmetry | apply source_lies_on].
-  Qed.
-
-  Lemma nothing_to_the_right (e : segment) (x : vector) : In e (region_edges loops) -> strictly_inside x e ->
-    complement_to_the_right x (along e) p q.
-  Proof.
-    intros E inside_. destruct loops_are_valid as [valid above]. pose proof (strictly_inside_lies_on _ _ inside_) as on.
-    destruct (inside_beside_an_edge loops e x valid above E on (inside_no_vertex e x E inside_)) as (radius & R & near).
-    exists ((1 # 2) * radius). split; [lra |]. intros y close right_ in_. apply loops_fill_the_sum in in_.
-    assert (area_y : area e y < 0) by (rewrite (area_from x y e on); exact right_).
-    destruct (some_small _ (in_front_near (Vector (- vy (along e)) (vx (along e))) (source e) y
-      ltac:(unfold in_front, dot; in_coordinates; lra))) as (d & some & stays).
-    destruct valid as (points_ & numbers & meet).
-    destruct (inside_near loops y (Qmin d ((1 # 2) * radius)) (regions_are_regular _ points_ numbers meet) in_)
-      as (z & close_z & in_z).
-    { apply Q.min_glb_lt; lra. }
-    assert (near_z : within radius x z).
-    { pose proof (Q.le_min_r d ((1 # 2) * radius)). unfold within in *. lra. }
-    apply (near z near_z) in in_z.
-    specialize (stays z (within_smaller _ _ _ _ (Q.le_min_l d ((1 # 2) * radius)) close_z)).
-    unfold in_front, dot in stays. in_coordinates. lra.
-  Qed.
+  Proof. intros E. exact (no_vertex_inside_kept p q _ _ loops loops_ e x (proj1 (filled_are_edges e) E)). Qed.
 
   (* Theorem. A segment of the convolution that has a point inside an edge of a loop goes all along it, in its
      direction. *)
@@ -223,33 +275,7 @@ Section Sum.
     strictly_inside x e -> lies_on x t ->
     (forall y, lies_on y e -> lies_on y t) /\ same_direction (along e) (along t).
   Proof.
-    intros E T inside_ on. pose proof (all_long t T) as long_t.
-    pose proof (are_long _ kept_share_ends_only e (Permutation_in _ edges_of_the_loops E)) as long_e.
-    destruct (proj2 (cut_returns t (flat_map (intersection t) segments) long_t) x on) as (piece & P & part & on_piece).
-    destruct (proj1 (of_kept segments _ e) (Permutation_in _ edges_of_the_loops E)) as (D & _).
-    assert (listed : In (undirected piece) (pieces_of segments)).
-    { apply nodup_In, in_flat_map. exists t. split; [exact T | now apply in_map]. }
-    assert (on_undirected : lies_on x (undirected piece))
-      by exact (lies_on_of_one_place _ _ _ (of_one_place_sym _ _ (undirected_place piece)) on_piece).
-    assert (place_ : of_one_place e piece).
-    { destruct D as [D | D].
-      - rewrite (inside_one_piece segments all_long e (undirected piece) x D listed inside_ on_undirected).
-        apply undirected_place.
-      - rewrite <- (reversed_twice e), (inside_one_piece segments all_long (reversed e) (undirected piece) x D listed
-          (strictly_inside_reversed _ _ inside_) on_undirected).
-        destruct (undirected_place piece) as [[a b] | [a b]]; [right | left]; cbn [reversed source target]; tauto. }
-    assert (covers_ : forall y, lies_on y e -> lies_on y t)
-      by (intros y on_y; exact (part_lies_on piece t y part (lies_on_of_one_place _ _ y place_ on_y))).
-    split; [exact covers_ |].
-    destruct (point_inside_but_for e (sums_of_vertices p q) long_e) as (y & in_e & differ).
-    destruct (segments_pass_but_at_vertices p q y t T (covers_ y (strictly_inside_lies_on _ _ in_e)) differ)
-      as (d & passing & [dx dy]).
-    destruct (boundary_edges_have_the_direction_of_segments p q y d (along e) p_region q_region long_e
-      (nothing_to_the_right e y E in_e) passing) as [parallel ahead_].
-    apply same_direction_symmetric. destruct (multiple_of (along t) (along e) long_e) as (c & X & Y).
-    { unfold cross in *. rewrite <- dx, <- dy. lra. }
-    exists c. split; [| now split]. pose proof (square_positive _ long_e) as square. unfold dot in *.
-    rewrite dx, dy, X, Y in ahead_. apply Qnot_le_lt. intros none. nra.
+    intros E. exact (segments_along_kept p q p_region q_region _ _ loops loops_ e t x (proj1 (filled_are_edges e) E)).
   Qed.
 
   (* Theorem. A segment of the reduced convolution does. *)
@@ -257,10 +283,7 @@ Section Sum.
     exists t, In t (reduced_convolution p q) /\ (forall y, lies_on y e -> lies_on y t) /\
       same_direction (along e) (along t).
   Proof.
-    intros E. pose proof (middle_is_inside e) as inside_.
-    destruct (boundary_is_part_of_the_reduced_convolution p q (middle e) p_region q_region) as (t & T & on).
-    { apply boundary_is_on_the_loops. exists e. split; [exact E | now apply strictly_inside_lies_on]. }
-    exists t. split; [exact T |].
-    exact (segments_along_the_loops e t (middle e) E (reduced_is_part_of_the_convolution p q t T) inside_ on).
+    intros E.
+    exact (reduced_segment_along_kept p q p_region q_region _ _ loops loops_ e (proj1 (filled_are_edges e) E)).
   Qed.
 End Sum.

@@ -56,14 +56,16 @@ Section Sum.
   Theorem faces_beside_the_loops (e : segment) (x : vector) : In e (region_edges loops) -> strictly_inside x e ->
     exists a, 0 < area e a /\ inner_point_of_sum a p q /\ on_boundary_of_set (face_of_the_sum p q a) x.
   Proof.
-    intros E inside_. destruct (loops_are_valid p q p_region q_region) as [valid above].
+    intros E inside_.
+    destruct (loops_are_valid _ _ _ _ _ (boundary_loops_are_loops_of_the_sum p q p_region q_region)) as [valid above].
     pose proof (strictly_inside_lies_on _ _ inside_) as on.
     destruct (inside_beside_an_edge loops e x valid above E on (inside_no_vertex p q p_region q_region e x E inside_))
       as (radius & R & near).
     assert (inner : forall y, within radius x y -> 0 < area e y -> inner_point_of_sum y p q).
     { intros y close left_. destruct (proj2 (proj1 (near y close)) left_) as [free some].
       destruct (off_the_loops p q p_region q_region y free) as [| (r & r_some & none)]; [assumption | exfalso].
-      apply (none y); [unfold within; lra |]. apply (loops_fill_the_sum p q p_region q_region). now left. }
+      apply (none y); [unfold within; lra |].
+      apply (loops_fill_the_sum _ _ _ _ _ (boundary_loops_are_loops_of_the_sum p q p_region q_region)). now left. }
     set (n := Vector (- vy (along e)) (vx (along e))).
     pose proof (proj1 valid) as edges_.
     pose proof (left_normal e (winding_number_of_the_sum.region_edges_are_directions loops edges_ e E)) as turn.
@@ -105,7 +107,7 @@ Theorem corollary_3_1_3_as_corrected (p q : region) : valid_region p -> valid_re
          winding_number y (edges a) = winding_number z (edges a)).
 Proof.
   intros p_region q_region. exists (boundary_loops p q).
-  pose proof (loops_do_not_cross p q p_region q_region) as (_ & are_simple & _ & apart_).
+  pose proof (boundary_loops_do_not_cross p q p_region q_region) as (_ & are_simple & _ & apart_).
   split; [| split; [| split]].
   - intros chain C. apply simple_chains_are_weakly_simple. exact (are_simple chain C).
   - intros a x _ boundary. apply (boundary_is_on_the_loops p q p_region q_region).
