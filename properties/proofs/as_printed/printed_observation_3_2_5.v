@@ -4,11 +4,13 @@
    Different edges have no inner points in common, unless they run along each other in opposite directions, where
    segments of the convolution do. Loops cross in a vertex if one passes from the right of the other to its left; here,
    even more, to the right of a loop's passing through a vertex no loop passes, itself included. And, as the text says,
-   the loops take all edges of the boundary. It is proved in what_algorithm_1_traces.v, for any arrangement. *)
+   the loops take all edges of the boundary. The convolution is the full one, the reduced one, or anything between. It
+   is proved in what_algorithm_1_traces.v, for any arrangement. *)
 From Coq Require Import QArith List.
 From Oplus Require Import convolution theorem_4_2_1 theorem_2_2_10 beside_every_point winding_number regions
   rule_of_sides kept_pieces_go_round beside_a_vertex beside_a_piece filling sum_is_right loops_of_the_boundary
-  algorithm_1 what_algorithm_1_traces arrangement_of_the_convolution.
+  algorithm_1 what_algorithm_1_traces arranged_convolution
+  arrangement_of_the_convolution.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -41,10 +43,10 @@ Proof.
 Qed.
 
 (* Theorem, Observation 3.2.5. *)
-Theorem observation_3_2_5_as_printed (p q : region) :
-  valid_region p -> valid_region q ->
-  let loops := algorithm_1 (convolution_arrangement p q) in
-  (forall loop, In loop loops -> incl loop (convolution_arrangement p q) /\ orientable_edges loop) /\
+Theorem observation_3_2_5_as_printed (p q : region) (segments : list segment) :
+  valid_region p -> valid_region q -> is_convolution p q segments ->
+  let loops := algorithm_1 (arrangement_of segments) in
+  (forall loop, In loop loops -> incl loop (arrangement_of segments) /\ orientable_edges loop) /\
   NoDup (concat loops) /\
   (forall e f x, In e (concat loops) -> In f (concat loops) -> e <> f -> e <> reversed f ->
      ~ (strictly_inside x e /\ strictly_inside x f)) /\
@@ -52,11 +54,12 @@ Theorem observation_3_2_5_as_printed (p q : region) :
      ~ right_of_passing e f (along f') /\ ~ right_of_passing e f (along (reversed e'))) /\
   (forall x, on_boundary_of_sum x p q -> exists e, In e (concat loops) /\ lies_on x e).
 Proof.
-  intros p_region q_region. set (arrangement := convolution_arrangement p q). cbv zeta.
+  intros p_region q_region convolution_. set (arrangement := arrangement_of segments). cbv zeta.
   destruct (traced_loops arrangement arrangement []) as (are_loops & once & _);
     [constructor | intros g [] | apply incl_refl |]. fold (algorithm_1 arrangement) in are_loops, once.
-  pose proof (pieces_of_share_ends _ (all_are_long p q p_region q_region)) as parts.
-  pose proof (arrangement_is_directed p q p_region q_region) as directed_. fold arrangement in directed_.
+  pose proof (pieces_of_share_ends _ (arranged_are_long p q p_region q_region segments convolution_)) as parts.
+  pose proof (arrangement_is_directed p q p_region q_region segments convolution_) as directed_.
+  fold arrangement in directed_.
   assert (listed : forall e, In e (concat (algorithm_1 arrangement)) -> In e arrangement).
   { intros e E. apply in_concat in E. destruct E as (loop & L & E). now apply (are_loops loop L). }
   assert (follows : forall e f, follows_on (algorithm_1 arrangement) e f ->
@@ -77,7 +80,8 @@ Proof.
   - intros e f e' f' passes passes' other meet.
     destruct (follows e f passes) as [E best], (follows e' f' passes') as [E' best'].
     exact (nothing_to_the_right_of_a_passing arrangement _ parts directed_ e f e' f' E E' other meet best best').
-  - intros x boundary. apply (boundary_is_on_the_loops p q p_region q_region) in boundary.
+  - intros x boundary. apply (boundary_is_kept p q _ _ _ (arranged_loops_are_the_sum p q p_region q_region segments
+      convolution_)) in boundary.
     destruct boundary as (e & E & on). exists e. split; [| exact on].
-    exact (boundary_is_traced p q p_region q_region e E).
+    exact (boundary_is_traced p q p_region q_region segments convolution_ e E).
 Qed.

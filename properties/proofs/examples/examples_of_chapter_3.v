@@ -3,7 +3,7 @@
    diamond, and the isolated vertex of the chamber and the inscribed diamond. *)
 From Coq Require Import QArith Lqa List.
 From Oplus Require Import convolution convolution_winding regions small_polygons reduced_convolution lemma_3_1_2
-  theorem_3_2_8 theorem_3_2_10 polygons_of_the_thesis drawn_regions drawn_sums.
+  theorem_3_2_8 theorem_3_2_10 three_directions polygons_of_the_thesis drawn_regions drawn_sums.
 Import ListNotations.
 
 Open Scope Q_scope.

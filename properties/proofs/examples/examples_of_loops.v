@@ -5,9 +5,9 @@ From Coq Require Import QArith Qminmax Lqa ZArith Lia Bool List.
 From Oplus Require Import regions_and_sums simple_chain simple_chains_turn_once angle inside_a_corner theorem_2_2_10
   lemma_2_2_2 observation_2_2_4 filling interiors_meet parallelogram reduced_convolution polygons_of_the_thesis
   printed_lemma_2_2_2 drawn_regions drawn_sums connected_sets refuted_definition_2_1_9 refuted_corollary_3_1_3
-  faces_of_the_sum loops_of_the_boundary algorithm_1 arrangement_of_the_convolution printed_lemma_3_1_2
-  printed_observation_3_1_4 printed_observation_3_2_4 printed_observation_3_2_5 printed_theorem_3_2_8
-  refuted_observation_3_1_5.
+  faces_of_the_sum loops_of_the_boundary algorithm_1 arranged_convolution arrangement_of_the_convolution
+  printed_lemma_3_1_2 printed_observation_3_1_4 printed_observation_3_2_4 printed_observation_3_2_5
+  printed_theorem_3_2_8 refuted_observation_3_1_5.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -44,16 +44,20 @@ Qed.
 
 (* Observation 3.2.4. From the lower side of a sum the largest clockwise turn leads on along its boundary. *)
 Example along_the_boundary : exists e',
-  best_direction (convolution_arrangement [room_with_a_slit] [unit_square])
+  best_direction (arrangement_of (convolution_segments [room_with_a_slit] [unit_square]))
     (Segment (Vector 0 0) (Vector 6 0)) = Some e' /\
   is_boundary_edge [room_with_a_slit] [unit_square] e'.
 Proof.
   destruct slit_and_square_are_regions as [p_region q_region].
-  assert (listed : In (Segment (Vector 0 0) (Vector 6 0)) (convolution_arrangement [room_with_a_slit] [unit_square]))
-    by (refine (proj1 (is_listed_spec segment_dec _ _) _); vm_compute; reflexivity).
-  apply (observation_3_2_4_as_printed _ _ _ p_region q_region listed).
-  apply (boundary_edges_are_those_of_the_loops _ _ p_region q_region _ listed).
-  refine (proj1 (is_listed_spec segment_dec _ _) _). vm_compute. reflexivity.
+  set (e := Segment (Vector 0 0) (Vector 6 0)).
+  assert (computed : is_listed segment_dec e (arrangement_of (convolution_segments [room_with_a_slit] [unit_square])) =
+    true /\ is_listed segment_dec e (edges_on_the_boundary [room_with_a_slit] [unit_square]
+    (convolution_segments [room_with_a_slit] [unit_square])) = true) by (split; vm_compute; reflexivity).
+  destruct computed as [listed kept]. apply is_listed_spec in listed, kept.
+  revert p_region q_region listed kept. generalize [room_with_a_slit], [unit_square]. intros p q p_region q_region.
+  intros listed kept. pose proof (proj1 (both_are_convolutions p q)) as convolution_.
+  apply (observation_3_2_4_as_printed p q (convolution_segments p q) e p_region q_region convolution_ listed).
+  exact (proj2 (boundary_edges_are_kept p q p_region q_region _ convolution_ e listed) kept).
 Qed.
 
 (* Observation 3.2.5. Of the same sum Algorithm 1 traces the two loops, of 11 and of 5 edges, that share none. *)
@@ -61,7 +65,7 @@ Example traced_loops_share_no_edge :
   NoDup (concat (algorithm_1 (convolution_arrangement [room_with_a_slit] [unit_square]))).
 Proof.
   destruct slit_and_square_are_regions as [p_region q_region].
-  exact (proj1 (proj2 (observation_3_2_5_as_printed _ _ p_region q_region))).
+  exact (proj1 (proj2 (observation_3_2_5_as_printed _ _ _ p_region q_region (proj1 (both_are_convolutions _ _))))).
 Qed.
 
 Example number_of_loops :

@@ -13,18 +13,19 @@ From Oplus Require Import regions_and_sums simple_chain simple_chains_turn_once 
   boundary_points reduced_convolution edges_at_a_point fans_that_touch reduced_edges_that_pass
   segments_beside_the_open_sum angle filling pieces met_pieces cut_pieces beside_a_piece naive_collision
   collision_is_sound collision_is_complete placed_collision checked_collision beside_a_vertex kept_pieces_go_round
-  rule_of_sides sum_is_right loops_of_the_boundary algorithm_1 what_algorithm_1_traces arrangement_of_the_convolution
-  polygons_of_the_thesis drawn_regions.
+  rule_of_sides sum_is_right loops_of_the_boundary algorithm_1 what_algorithm_1_traces arranged_convolution
+  arrangement_of_the_convolution polygons_of_the_thesis drawn_regions.
 Import ListNotations.
 
 Open Scope Q_scope.
 
-Definition is_false_loop (p q : region) (loop : list segment) : Prop :=
-  In loop (algorithm_1 (convolution_arrangement p q)) /\ ~ forall e, In e loop -> is_boundary_edge p q e.
+Definition is_false_loop (p q : region) (segments loop : list segment) : Prop :=
+  In loop (algorithm_1 (arrangement_of segments)) /\ ~ forall e, In e loop -> is_boundary_edge p q e.
 
 Definition observation_3_1_5_as_printed : Prop :=
   forall (p q : list component) (loop : list segment) (e : segment) (x : vector),
-    valid_components p -> valid_components q -> is_false_loop (region_of p) (region_of q) loop ->
+    valid_components p -> valid_components q ->
+    is_false_loop (region_of p) (region_of q) (convolution_segments (region_of p) (region_of q)) loop ->
     In e loop -> lies_on x e -> interiors_meet x (region_of p) (region_of q).
 
 Definition square_with_a_triangle : list component :=
@@ -47,15 +48,24 @@ Lemma what_is_computed :
   covers_nothing_twice p = true /\ covers_nothing_twice q = true /\ collide p (placed (Vector 0 0) q) = false /\
   is_listed (list_eq_dec segment_dec) false_loop (algorithm_1 (convolution_arrangement p q)) = true /\
   is_listed segment_dec e (convolution_arrangement p q) = true /\
-  is_listed segment_dec e (filled (convolution_segments p q)) = false.
+  is_listed segment_dec e (edges_on_the_boundary p q (convolution_segments p q)) = false.
 Proof. vm_compute. repeat split. Qed.
 
 Lemma not_on_the_boundary (p q : region) (e : segment) : valid_region p -> valid_region q ->
-  In e (convolution_arrangement p q) -> ~ In e (filled (convolution_segments p q)) -> ~ is_boundary_edge p q e.
+  In e (convolution_arrangement p q) -> ~ In e (edges_on_the_boundary p q (convolution_segments p q)) ->
+  ~ is_boundary_edge p q e.
 Proof.
-  intros p_region q_region listed none boundary.
-  apply (boundary_edges_are_those_of_the_loops p q p_region q_region e listed) in boundary.
-  exact (none (Permutation_in _ (edges_of_the_loops p q p_region q_region) boundary)).
+  intros p_region q_region listed none boundary. apply none.
+  now apply (boundary_edges_are_kept p q p_region q_region _ (proj1 (both_are_convolutions p q)) e listed).
+Qed.
+
+Lemma false_loop_by_an_edge (p q : region) (loop : list segment) (e : segment) : valid_region p -> valid_region q ->
+  In loop (algorithm_1 (convolution_arrangement p q)) -> In e loop -> In e (convolution_arrangement p q) ->
+  ~ In e (edges_on_the_boundary p q (convolution_segments p q)) ->
+  is_false_loop p q (convolution_segments p q) loop.
+Proof.
+  intros p_region q_region L E listed none. split; [exact L |]. intros boundary.
+  exact (not_on_the_boundary p q e p_region q_region listed none (boundary e E)).
 Qed.
 
 (* Theorem. *)
@@ -85,24 +95,25 @@ Section Corrected.
   Variables p q : region.
   Hypothesis p_region : valid_region p.
   Hypothesis q_region : valid_region q.
-  Variable loop : list segment.
-  Hypothesis false_ : is_false_loop p q loop.
 
-  Let segments := convolution_segments p q.
-  Let arrangement := convolution_arrangement p q.
-  Let all_long := all_are_long p q p_region q_region.
+  Section AnyConvolution.
+  Variable segments : list segment.
+  Hypothesis convolution_ : is_convolution p q segments.
+  Variable loop : list segment.
+  Hypothesis false_ : is_false_loop p q segments loop.
 
   Lemma edges_of_false_loops (e : segment) : In e loop ->
-    In e arrangement /\ ~ In e (region_edges (boundary_loops p q)).
+    In e (arrangement_of segments) /\ ~ In e (edges_on_the_boundary p q segments).
   Proof.
-    intros E. destruct false_ as [L other].
+    intros E. destruct false_ as [L other]. set (arrangement := arrangement_of segments) in *.
     destruct (traced_loops arrangement arrangement []) as (are_loops & _);
       [constructor | intros g [] | apply incl_refl |].
     pose proof (are_loops loop L) as traced. pose proof traced as (_ & _ & part & _). split; [now apply part |].
     intros on. apply other. intros f F.
-    apply (boundary_edges_are_those_of_the_loops p q p_region q_region f (part f F)).
-    refine (all_or_none arrangement (region_edges (boundary_loops p q)) _ loop e traced E on f F).
-    intros g G. destruct (largest_turn_stays_on_the_loops p q p_region q_region g G) as (h & is_ & H & _).
+    apply (boundary_edges_are_kept p q p_region q_region segments convolution_ f (part f F)).
+    refine (all_or_none arrangement (edges_on_the_boundary p q segments) _ loop e traced E on f F).
+    intros g G.
+    destruct (largest_turn_stays_on_the_loops p q p_region q_region segments convolution_ g G) as (h & is_ & H & _).
     exists h. split; assumption.
   Qed.
 
@@ -110,28 +121,37 @@ Section Corrected.
     In e loop -> strictly_inside x e -> inner_point_of_sum x p q.
   Proof.
     intros E inside_. destruct (edges_of_false_loops e E) as [listed not_on].
+    pose proof (arranged_are_long p q p_region q_region segments convolution_) as all_long.
+    pose proof (arranged_loops_are_the_sum p q p_region q_region segments convolution_) as loops_.
     destruct (arrangement_edge_is segments e all_long listed) as (D & t & T & _ & covers_).
     pose proof (covers_ x (strictly_inside_lies_on _ _ inside_)) as on.
-    destruct (on_or_off x (region_edges (boundary_loops p q))) as [(k & K & on_k) | free].
-    - exfalso. destruct (segment_dec e k) as [<- | other]; [contradiction |].
+    destruct (off_the_loops_of_segments p q _ _ _ loops_ x) as [| (radius & R & none)]; [| assumption |].
+    - intros k K on_k. apply (kept_are_edges p q _ _ _ loops_) in K.
+      destruct (segment_dec e k) as [<- | other]; [contradiction |].
       destruct (segment_dec e (reversed k)) as [-> | other'];
-        [exact (none_runs_back p q p_region q_region k K listed) |].
+        [exact (none_runs_back p q p_region q_region segments convolution_ k K listed) |].
       exact (directed_are_apart _ (pieces_of_share_ends segments all_long) e k x D
-        (arrangement_is_directed p q p_region q_region k (loops_are_in_the_arrangement p q p_region q_region k K))
-        other other' inside_ on_k).
-    - destruct (off_the_loops p q p_region q_region x free) as [| (radius & R & none)]; [assumption | exfalso].
-      apply (none x); [unfold within; lra |]. exact (on_the_convolution_is_in_the_sum p q x t T on).
+        (kept_are_pieces _ _ _ _ _ loops_ k K) other other' inside_ on_k).
+    - exfalso. apply (none x); [unfold within; lra |].
+      exact (on_the_convolution_is_in_the_sum p q x t (proj1 convolution_ t T) on).
   Qed.
+  End AnyConvolution.
+
+  Let segments := convolution_segments p q.
+  Let convolution_ := proj1 (both_are_convolutions p q).
+  Let arrangement := convolution_arrangement p q.
+  Let all_long := all_are_long p q p_region q_region.
+  Variable loop : list segment.
+  Hypothesis false_ : is_false_loop p q segments loop.
+
   (* What covers a point inside an edge is along it. *)
   Lemma covering_is_parallel (e s : segment) (x d : vector) : In e loop -> strictly_inside x e ->
     In s (reduced_convolution p q) -> lies_on x s -> same_direction (along s) d -> cross (along e) d == 0.
   Proof.
     intros E inside_ S on (a & some & X & Y). apply reduced_is_part_of_the_convolution in S.
-    destruct (edges_of_false_loops e E) as [listed _].
-    pose proof (arrangement_is_directed p q p_region q_region e listed) as D.
-    pose proof (pieces_are_met_along _ _ (pieces_are_pieces segments all_long)) as met.
-    assert (only : met_only_along segments e).
-    { destruct D as [D | D]; [now apply met | rewrite <- (reversed_twice e); now apply met_only_along_reversed, met]. }
+    destruct (edges_of_false_loops segments convolution_ loop false_ e E) as [listed _].
+    pose proof (arrangement_is_directed p q p_region q_region segments convolution_ e listed) as D.
+    pose proof (pieces_meet_along p q p_region q_region segments convolution_ e D) as only.
     destruct (only x s inside_ S on) as [from to]. apply (Qmult_inj_l _ _ a); [lra |].
     transitivity (cross (along e) (along s)); [unfold cross; rewrite X, Y; ring |].
     in_coordinates. lra.
@@ -141,22 +161,12 @@ Section Corrected.
   Lemma collide_beside (e : segment) (x n : vector) : In e loop -> strictly_inside x e -> ~ cross (along e) n == 0 ->
     eventually (fun t => interiors_meet (moved_along x n t) p q).
   Proof.
-    intros E inside_ turn. destruct (inner_points_inside_edges e x E inside_) as (radius & R & inner).
-    destruct (edges_of_false_loops e E) as [listed _].
-    pose proof (arrangement_is_directed p q p_region q_region e listed) as D.
-    pose proof (pieces_are_met_along _ _ (pieces_are_pieces segments all_long)) as met.
-    assert (only : met_only_along segments e).
-    { destruct D as [D | D]; [now apply met | rewrite <- (reversed_twice e); now apply met_only_along_reversed, met]. }
-    assert (free : eventually (fun t => forall s, In s segments -> ~ lies_on (moved_along x n t) s)).
-    { apply (eventually_for_all (fun s t => ~ lies_on (moved_along x n t) s)). intros s S.
-      destruct (lies_on_dec x s) as [on | off_].
-      - exists 1. split; [lra |]. intros t some _ on_t. pose proof (only x s inside_ S on) as line.
-        pose proof (area_of_collinear e s _ line on_t) as zero_. apply turn.
-        apply (Qmult_inj_l _ _ t); [lra |]. rewrite (area_from x _ e (strictly_inside_lies_on _ _ inside_)) in zero_.
-        transitivity (cross (along e) (minus (moved_along x n t) x)); [| rewrite zero_; ring].
-        unfold cross, minus, moved_along. cbn [vx vy]. ring.
-      - destruct (off_one_segment_near x s off_) as (r & r_some & near).
-        refine (eventually_implied _ _ _ (small_steps_stay_within r x n r_some)). intros t close. now apply near. }
+    intros E inside_ turn.
+    destruct (inner_points_inside_edges segments convolution_ loop false_ e x E inside_) as (radius & R & inner).
+    destruct (edges_of_false_loops segments convolution_ loop false_ e E) as [listed _].
+    pose proof (arrangement_is_directed p q p_region q_region segments convolution_ e listed) as D.
+    pose proof (pieces_meet_along p q p_region q_region segments convolution_ e D) as only.
+    pose proof (nothing_met_beside segments e x n only inside_ turn) as free.
     refine (eventually_implied _ _ _ (eventually_and _ _ free (small_steps_stay_within radius x n R))).
     intros t [off_ close]. exact (common_point_off_the_convolution p q _ p_region q_region off_ (inner _ close)).
   Qed.
@@ -169,8 +179,8 @@ Section Corrected.
     pose proof (collide_decides_whether_interiors_meet p q x p_region q_region p_simple q_simple) as decides.
     destruct (collide p (placed x q)); [now apply decides | exfalso].
     assert (outside : ~ interiors_meet x p q) by (intros meet; now apply decides in meet). clear decides.
-    destruct (edges_of_false_loops e E) as [listed _].
-    pose proof (arrangement_is_directed p q p_region q_region e listed) as D.
+    destruct (edges_of_false_loops segments convolution_ loop false_ e E) as [listed _].
+    pose proof (arrangement_is_directed p q p_region q_region segments convolution_ e listed) as D.
     pose proof (directed_is_long _ (pieces_of_share_ends segments all_long) e D) as long.
     set (n := Vector (vy (along e)) (- vx (along e))).
     assert (right_ : cross (along e) n < 0).
@@ -217,20 +227,25 @@ Section Corrected.
       + destruct (segment_dec e (reversed (reduced_segment piece))) as [is_ | other'].
         * apply none_back. now rewrite is_, reversed_twice.
         * exact (directed_are_apart _ (pieces_of_share_ends segments all_long) e _ x D
-            (arrangement_is_directed p q p_region q_region _ listed') other other' inside_ on_).
+            (arrangement_is_directed p q p_region q_region segments convolution_ _ listed') other other' inside_ on_).
   Qed.
 End Corrected.
 
-(* Theorem, Observation 3.1.5 as corrected: x is inside an edge. *)
-Theorem observation_3_1_5_as_corrected (p q : region) (loop : list segment) (e : segment) (x : vector) :
-  valid_region p -> valid_region q -> is_false_loop p q loop -> In e loop -> strictly_inside x e ->
-  inner_point_of_sum x p q.
-Proof. intros p_region q_region false_. exact (inner_points_inside_edges p q p_region q_region loop false_ e x). Qed.
+(* Theorem, Observation 3.1.5 as corrected: x is inside an edge. The loop is traced in the arrangement of the full
+   convolution, or of the reduced one, or of anything between. *)
+Theorem observation_3_1_5_as_corrected (p q : region) (segments loop : list segment) (e : segment) (x : vector) :
+  valid_region p -> valid_region q -> is_convolution p q segments -> is_false_loop p q segments loop ->
+  In e loop -> strictly_inside x e -> inner_point_of_sum x p q.
+Proof.
+  intros p_region q_region convolution_ false_.
+  exact (inner_points_inside_edges p q p_region q_region segments convolution_ loop false_ e x).
+Qed.
 
 (* Theorem. Where P and -Q + x do not collide, x is a sum of two vertices, or an edge runs back. *)
 Theorem false_loops_make_them_collide (p q : region) (loop : list segment) (e : segment) (x : vector) :
-  valid_region p -> valid_region q -> nowhere_above_one p -> nowhere_above_one q -> is_false_loop p q loop ->
-  In e loop -> strictly_inside x e -> ~ In (reversed e) (convolution_arrangement p q) ->
+  valid_region p -> valid_region q -> nowhere_above_one p -> nowhere_above_one q ->
+  is_false_loop p q (convolution_segments p q) loop -> In e loop -> strictly_inside x e -> ~ In (reversed e)
+    (convolution_arrangement p q) ->
   (forall w u, is_vertex w p -> is_vertex u q -> ~ equal_vectors x (plus w u)) -> interiors_meet x p q.
 Proof.
   intros p_region q_region p_simple q_simple false_.
@@ -245,8 +260,8 @@ Proof.
   apply covers_nothing_twice_is_right in p_test, q_test. destruct p_test as [p_region _], q_test as [q_region _].
   apply is_listed_spec in loop_listed, e_listed, not_filled.
   assert (E : In (Segment (Vector 0 (-1)) (Vector 0 0)) false_loop) by exact (or_introl eq_refl).
-  refine (observation_3_1_5_as_corrected _ _ false_loop _ _ p_region q_region (conj loop_listed _) E _).
-  - intros boundary.
-    exact (not_on_the_boundary _ _ _ p_region q_region e_listed not_filled (boundary _ E)).
-  - exists (1 # 2). cbn [source target vx vy]. split; [lra | split; lra].
+  pose proof (false_loop_by_an_edge _ _ _ _ p_region q_region loop_listed E e_listed not_filled) as false_.
+  refine (observation_3_1_5_as_corrected _ _ _ false_loop _ _ p_region q_region (proj1 (both_are_convolutions _ _))
+    false_ E _).
+  exists (1 # 2). cbn [source target vx vy]. split; [lra | split; lra].
 Qed.
