@@ -3,7 +3,7 @@
    diamond, and the isolated vertex of the chamber and the inscribed diamond. *)
 From Coq Require Import QArith Lqa List.
 From Oplus Require Import convolution convolution_winding regions small_polygons reduced_convolution lemma_3_1_2
-  theorem_3_2_8 theorem_3_2_10 polygons_of_the_thesis drawn_regions drawn_sums.
+  theorem_3_2_8 theorem_3_2_10 three_directions polygons_of_the_thesis drawn_regions drawn_sums.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -47,8 +47,22 @@ Proof.
   - apply no_sum_of_vertices_by_computation. vm_compute. reflexivity.
 Qed.
 
-(* Theorem 3.2.10. In (3, 3) segments of four directions meet. What is proved: each direction is to the left of one of
-   them or along two, and two directions that are not opposite are too few. *)
+(* Theorem 3.2.10. In (3, 3) segments of four directions meet. What is proved: three do; each direction is to the left
+   of one of them or along two. *)
+Example three_directions_in_the_chamber : exists s1 s2 s3, covers s1 (Vector 3 3) chamber [inscribed_diamond] /\
+  covers s2 (Vector 3 3) chamber [inscribed_diamond] /\ covers s3 (Vector 3 3) chamber [inscribed_diamond] /\
+  ~ same_direction (along s1) (along s2) /\ ~ same_direction (along s1) (along s3) /\
+  ~ same_direction (along s2) (along s3).
+Proof.
+  apply three_segments_at_an_isolated_vertex.
+  - apply drawn_regions.
+  - apply simple_polygons_are_regions, drawn_polygons.
+  - apply drawn_regions.
+  - apply simple_polygons_cover_nothing_twice, drawn_polygons.
+  - exact only_place_in_the_chamber.
+  - apply no_sum_of_vertices_by_computation. vm_compute. reflexivity.
+Qed.
+
 Example a_segment_above_the_isolated_vertex (m : vector) : nonzero m ->
   (exists s, covers s (Vector 3 3) chamber [inscribed_diamond] /\ 0 < cross (along s) m) \/
   ((exists s, covers s (Vector 3 3) chamber [inscribed_diamond] /\ same_direction (along s) m) /\

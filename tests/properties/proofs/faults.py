@@ -621,6 +621,23 @@ FAULTS = [
      "Hpoint (Qnum x * (Zpos (Qden y) / g))", "Hpoint (Qnum x * Zpos (Qden y))", "certified/homogeneous_points.v"),
     ("the upper half is the lower one", "directions/direction.v",
      "bool := negative (vy v) || (", "bool := negative (- vy v) || (", "directions/angle.v"),
+    ("the largest clockwise turn is the smallest", "chapter_3/algorithm_1.v",
+     "(along f)) then g else f.", "(along f)) then f else g.", "chapter_3/algorithm_1.v"),
+    ("Algorithm 1 passes edges of its own path again", "chapter_3/algorithm_1.v",
+     "in_dec segment_dec f (current ++ earlier) then", "in_dec segment_dec f earlier then", "chapter_3/algorithm_1.v"),
+    ("a recorded loop goes on beyond its start", "chapter_3/algorithm_1.v",
+     "if segment_dec f first then [] else", "if segment_dec f e then [] else", "chapter_3/algorithm_1.v"),
+    ("Algorithm 1 forgets the numbers of a path", "chapter_3/algorithm_1.v",
+     "trace_loops rest (current ++ earlier)\n", "trace_loops rest earlier\n", "chapter_3/algorithm_1.v"),
+    ("edges of the arrangement lose their direction", "chapter_3/arranged_convolution.v",
+     "(fun s => map reduced_segment (cut_where_met s segments)) segments).",
+     "(fun s => map undirected (cut_where_met s segments)) segments).", "chapter_3/arranged_convolution.v"),
+    ("a loop need not close", "as_printed/printed_observation_3_2_5.v",
+     "map target loop = rotated (map source loop)", "map target loop = map source loop",
+     "as_printed/printed_observation_3_2_5.v"),
+    ("a dangling edge has the sum on one side", "as_printed/printed_theorem_3_2_8.v",
+     "(fun area => 0 < area) /\\ sum_is_beside e p q x (fun area => area < 0).", "(fun area => 0 < area).",
+     "as_printed/printed_theorem_3_2_8.v"),
 ]
 
 # Where definitions are that all else is about: of the specification, and of Chapter 2.
