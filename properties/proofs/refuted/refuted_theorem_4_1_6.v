@@ -5,7 +5,7 @@
    set, the algorithm goes round the triangle at that vertex for ever. What holds is proved in algorithm_2.v: with
    segments marked as soon as they are taken, it returns. *)
 From Coq Require Import Lia List.
-From Oplus Require Import convolution tracing algorithm_2 simple_chain polygons_of_the_thesis.
+From Oplus Require Import convolution tracing algorithm_2 algorithm_2_goes_round simple_chain polygons_of_the_thesis.
 Import ListNotations.
 
 Open Scope nat_scope.
