@@ -1,6 +1,7 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Algorithm 2 of the thesis, segments marked as soon as they are taken: where two unvisited
-   segments leave a state, either may be taken. As printed nothing is marked within a cycle: algorithm_2_goes_round.v. *)
+   segments leave a state, either may be taken. As printed nothing is marked within a cycle:
+   algorithm_2_goes_round.v. *)
 From Coq Require Import Lia Bool List Permutation Arith.
 From Oplus Require Import convolution tracing.
 Import ListNotations.

@@ -1,6 +1,6 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Lemma 4.1.5 with connected parts, as its proof in the thesis has them: each connected part of a graph that enters each
-   node as often as it leaves it has an Euler circuit, a closed walk that takes each of its edges once, and no others.
+(* Lemma 4.1.5 with connected parts, as its proof in the thesis has them: each connected part of a graph that enters
+   each node as often as it leaves it has an Euler circuit, a closed walk that takes each of its edges once, no others.
    The circuits of balanced_graph.v are these: a walk is connected, and of two circuits that share no node no edge of
    the one meets an edge of the other. *)
 From Coq Require Import List Permutation.
@@ -60,7 +60,8 @@ Proof.
     apply (Permutation_in _ (Permutation_sym all)), in_concat in G. destruct G as (other & O & G).
     destruct (ForallOrdPairs_In apart circuit other C O) as [<- | no]; [exact G | exfalso].
     assert (node_ : exists x, (source f = x \/ target f = x) /\ (source g = x \/ target g = x)).
-    { destruct meet as [m | [m | [m | m]]]; [exists (source f) | exists (source f) | exists (target f) | exists (target f)];
+    { destruct meet as [m | [m | [m | m]]];
+        [exists (source f) | exists (source f) | exists (target f) | exists (target f)];
         rewrite m; tauto. }
     destruct node_ as (x & of_f & of_g).
     destruct (both_nodes_are_left circuit f x (each _ C) F of_f) as (f' & F' & from).
