@@ -11,13 +11,13 @@ Import ListNotations.
 
 Open Scope Q_scope.
 
-Definition left : vector := Vector (-1) 0.
+Definition to_the_left : vector := Vector (-1) 0.
 
 (* Moved to the right; to the left if e is negative. *)
 Definition moved_right (x : vector) (e : Q) : vector := Vector (vx x + e) (vy x).
 
 (* What a ray to the left from x counts, as if it were a little higher, so that a point at its height is below it. *)
-Definition left_ray_number (x : vector) (segments : list segment) : Z := winding_number_by_ray OfP left x segments.
+Definition left_ray_number (x : vector) (segments : list segment) : Z := winding_number_by_ray OfP to_the_left x segments.
 
 Definition middle_of (s : segment) : vector := point_at s (1 # 2).
 
@@ -111,7 +111,7 @@ Qed.
 Definition inside_loop (x : vector) (loop : list vector) : Prop :=
   off x (edges loop) /\ winding_number x (edges loop) <> 0%Z.
 
-Lemma middle_is_inside (s : segment) : strictly_inside (middle_of s) s.
+Lemma middle_of_is_inside (s : segment) : strictly_inside (middle_of s) s.
 Proof. apply strictly_inside_at. lra. Qed.
 
 (* No other edge of a simple chain has the middle of one. *)
@@ -120,7 +120,7 @@ Lemma middle_is_on_one_edge (loop : list vector) (i j : nat) : simple loop ->
 Proof.
   intros (_ & long & common) I J on. destruct (Nat.eq_dec i j) as [same_ | differ]; [exact same_ | exfalso].
   pose proof (edges_of_simple_chains loop i long I) as some.
-  pose proof (strictly_inside_lies_on _ _ (middle_is_inside (edge_at loop i))) as on_i.
+  pose proof (strictly_inside_lies_on _ _ (middle_of_is_inside (edge_at loop i))) as on_i.
   assert (middle_is : forall c, c = vertex loop i \/ c = vertex loop (next i (length loop)) ->
     ~ equal_vectors (middle_of (edge_at loop i)) c).
   { intros c which [X Y]. apply some. rewrite edge_is in X, Y by exact I. unfold middle_of, point_at, minus in *.
@@ -164,7 +164,7 @@ Proof.
     by (intros t T; apply In_nth_error in T; destruct T as (k & T); exact (by_place t k T)).
   unfold upward_less_downward, sum. cbn [map fold_right].
   destruct (is_on_spec (middle_of s) s) as [_ | no]; [destruct (negative _); reflexivity |].
-  destruct no. apply strictly_inside_lies_on, middle_is_inside.
+  destruct no. apply strictly_inside_lies_on, middle_of_is_inside.
 Qed.
 
 (* Lemma. Just to the right of an edge that leads upwards is inside a clockwise loop, and to its left is not; to the
@@ -183,7 +183,7 @@ Proof.
   { intros slanted t T on. apply (In_nth _ _ no_segment) in T. destruct T as (j & J & <-).
     rewrite edges_are_as_many in J.
     fold (edge_at loop j) in on |- *. rewrite <- (middle_is_on_one_edge loop i j simple_ I J on).
-    split; [apply middle_is_inside | exact slanted]. }
+    split; [apply middle_of_is_inside | exact slanted]. }
   split; intros way; (refine (eventually_implied _ _ _ (across_a_point m (edges loop) (closed_chain_cycles loop) _));
     [| apply passed_; tauto]); intros e (free & free' & change); unfold m, s in change;
     rewrite one_edge_at_its_middle in change by assumption; fold s in change; fold m in change;
@@ -209,7 +209,7 @@ Theorem left_rays_from_a_loop (segments : list segment) (loop : list vector) (i 
 Proof.
   intros closed simple_ clockwise I s m passed_.
   destruct (inside_is_beside_the_edge loop i simple_ clockwise I) as [up down]. fold s in up, down. fold m in up, down.
-  assert (some_ray : nonzero left) by (unfold nonzero, left; cbn [vx vy]; lra).
+  assert (some_ray : nonzero to_the_left) by (unfold nonzero, to_the_left; cbn [vx vy]; lra).
   split; intros way; [specialize (up way) | specialize (down way)];
     refine (eventually_implied _ _ _ (eventually_and _ _ ltac:(eassumption)
       (across_a_point m segments closed passed_)));
