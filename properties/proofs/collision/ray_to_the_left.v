@@ -17,7 +17,8 @@ Definition to_the_left : vector := Vector (-1) 0.
 Definition moved_right (x : vector) (e : Q) : vector := Vector (vx x + e) (vy x).
 
 (* What a ray to the left from x counts, as if it were a little higher, so that a point at its height is below it. *)
-Definition left_ray_number (x : vector) (segments : list segment) : Z := winding_number_by_ray OfP to_the_left x segments.
+Definition left_ray_number (x : vector) (segments : list segment) : Z :=
+  winding_number_by_ray OfP to_the_left x segments.
 
 Definition middle_of (s : segment) : vector := point_at s (1 # 2).
 

@@ -4,24 +4,19 @@
    itself there, as this does in (0, 0): its two loops turn in opposite directions, and the sum is zero. Also, the
    text says that the sum is negative for counterclockwise chains; with the formula of the definition it is positive.
    What holds is proved in simple_chains_turn_once.v and total_turn.v: simple chains turn once, counterclockwise ones
-   by a positive angle; and in limits_of_simple_chains.v: so do chains that touch themselves, but do not cross. Angles are measured along a diamond (angle.v), on which a full turn is 4, and not 2 pi. *)
-From Coq Require Import QArith Qminmax Lqa ZArith Lia List.
+   by a positive angle; and in touching_chains.v: so do weakly simple chains that do not cross themselves. Angles are
+   measured along a diamond (angle.v), on which a full turn is 4, and not 2 pi. *)
+From Coq Require Import QArith Lqa ZArith Lia List.
 From Oplus Require Import convolution regions meeting_of_segments pieces total_turn small_polygons simple_polygons
-  simple_chain simple_chains_turn_once polygons_of_the_thesis drawn_regions secants neighbourhoods
-  limits_of_simple_chains.
+  simple_chain simple_chains_turn_once polygons_of_the_thesis drawn_regions strictly_convex_curve
+  chords_around_a_point cut_corners simple_when_cut touching_chains winding_numbers_of_touching_chains.
 Import ListNotations.
 
 Open Scope Q_scope.
 
-(* Definition 2.1.6. No point is inside two of the edges; and where a vertex is inside an edge, the vertices before
-   and after it are on the same side of that edge. *)
+(* Definition 2.1.6. *)
 Definition weakly_simple (chain : list vector) : Prop :=
-  let n := length chain in
-  (forall i j x, (i < n)%nat -> (j < n)%nat -> i <> j ->
-     ~ (strictly_inside x (edge_at chain i) /\ strictly_inside x (edge_at chain j))) /\
-  (forall i j, (i < n)%nat -> (j < n)%nat -> strictly_inside (vertex chain i) (edge_at chain j) ->
-     let side k := area (edge_at chain j) (vertex chain k) in
-     (0 <= side (previous n i) /\ 0 <= side (next i n)) \/ (side (previous n i) <= 0 /\ side (next i n) <= 0)).
+  edges_are_interior_disjoint chain /\ vertices_touch_from_one_side chain.
 
 (* Of chains that turn back nowhere, so that the sign of each angle is determined. *)
 Definition definition_2_1_9_as_printed : Prop :=
@@ -85,49 +80,53 @@ Proof.
     apply is_simple_decides; vm_compute; reflexivity.
 Qed.
 
-(* Theorem, Definition 2.1.9 as corrected, for chains that may touch themselves but do not cross: that moves of their
-   vertices by as little as one likes make simple. The angles add up to one full turn, and the sign is that of the
-   direction in which the chain goes round points: it goes round each by that turn, or not at all. *)
-Theorem definition_2_1_9_for_chains_that_do_not_cross (chain : list vector) :
-  turns_everywhere chain -> becomes_simple chain ->
+(* Theorem, Definition 2.1.9 as corrected, for weakly simple chains: that do not cross themselves in vertices, either.
+   The angles add up to one full turn, and the sign is that of the direction in which the chain goes round points: it
+   goes round each by that turn, or not at all. *)
+Theorem definition_2_1_9_for_weakly_simple_chains (chain : list vector) :
+  chain <> [] -> turns_everywhere chain -> weakly_simple chain -> vertices_do_not_cross chain ->
   (total_angle (turns_of chain) == 4 \/ total_angle (turns_of chain) == -4) /\
   (forall x, off x (edges chain) -> winding_number x (edges chain) <> 0%Z ->
      total_angle (turns_of chain) == 4 * inject_Z (winding_number x (edges chain))).
 Proof.
-  intros turn limit. destruct (limits_of_simple_chains_turn_once chain turn limit) as [once round].
+  intros some turn [disjoint one_side] crossing_free.
+  assert (long : (2 <= length chain)%nat).
+  { destruct chain as [| a [| b rest]]; [contradiction | exfalso | cbn; lia].
+    destruct (turn (corner_of_chain [a] 0) ltac:(now left)) as [long _]. apply long. cbn. split; lra. }
   pose proof (turning_number_counts_turns chain turn) as angle_is. split.
-  - destruct once as [number | number]; rewrite number in angle_is; [left | right]; exact angle_is.
-  - intros x free some. rewrite angle_is. destruct (round x free) as [none | ->]; [contradiction | reflexivity].
+  - destruct (touching_chain_turns_once chain long turn disjoint one_side crossing_free) as [number | number];
+      rewrite number in angle_is; [left | right]; exact angle_is.
+  - intros x free goes_round. rewrite angle_is.
+    destruct (touching_chain_goes_round_once chain x long turn disjoint one_side crossing_free free) as [none | ->];
+      [contradiction | reflexivity].
 Qed.
 
 (* Two triangles that touch in (1, 1), as one chain that passes that point twice. *)
-Definition two_triangles (e : Q) : list vector :=
-  points_at [(0, 0); (1, 1 - e); (2, 0); (2, 2); (1, 1 + e); (0, 2)].
+Definition two_triangles : list vector := points_at [(0, 0); (1, 1); (2, 0); (2, 2); (1, 1); (0, 2)].
 
-Lemma two_triangles_become_simple : becomes_simple (two_triangles 0).
-Proof.
-  intros radius some. set (e := (1 # 2) * Qmin 1 radius).
-  assert (small : 0 < e /\ e < 1 /\ e < radius).
-  { unfold e. pose proof (Q.le_min_l 1 radius). pose proof (Q.le_min_r 1 radius).
-    assert (0 < Qmin 1 radius) by (apply Q.min_glb_lt; lra). lra. }
-  clearbody e. exists (two_triangles e). split; [split; [reflexivity |] |].
-  - intros i I. cbn in I. each_index i; unfold within; cbn; lra.
-  - apply simple_by_turns; [cbn; lia | |].
-    + intros i I. cbn in I. each_index i; unfold turns, nonzero, minus, cross, dot; cbn; (split; [| split]); lra.
-    + intros i j less J not_next not_before. cbn in J. each_index j; each_index i; cbn in not_next, not_before; try lia;
-        first [exists (Vector 1 0); unfold in_front, dot, minus; cbn; (repeat split); lra
-          | exists (Vector (-1) 0); unfold in_front, dot, minus; cbn; (repeat split); lra
-          | exists (Vector 0 1); unfold in_front, dot, minus; cbn; (repeat split); lra].
-Qed.
+Ltac known_vertices :=
+  repeat match goal with
+  | H : context [edge_at two_triangles ?i] |- _ =>
+      let v := eval vm_compute in (edge_at two_triangles i) in change (edge_at two_triangles i) with v in H
+  | H : context [vertex two_triangles ?i] |- _ =>
+      let v := eval vm_compute in (vertex two_triangles i) in change (vertex two_triangles i) with v in H
+  end; cbn [source target vx vy] in *.
 
-Example two_triangles_turn_once : total_angle (turns_of (two_triangles 0)) == 4.
+Example two_triangles_turn_once : total_angle (turns_of two_triangles) == 4.
 Proof.
-  assert (turn : turns_everywhere (two_triangles 0)).
+  assert (turn : turns_everywhere two_triangles).
   { intros c I. vm_compute in I.
     repeat match type of I with _ \/ _ => destruct I as [I | I] end; try contradiction; subst c;
       (split; [| split]; [intros [X Y]; vm_compute in X, Y; discriminate .. |]);
       intros parallel; vm_compute in parallel |- *; congruence. }
-  destruct (definition_2_1_9_for_chains_that_do_not_cross _ turn two_triangles_become_simple) as [_ by_points].
-  rewrite (by_points (Vector (1 # 2) 1)); [vm_compute; reflexivity | | vm_compute; discriminate].
-  apply off_by_computation. vm_compute. reflexivity.
+  destruct (definition_2_1_9_for_weakly_simple_chains two_triangles ltac:(discriminate) turn) as [_ by_points].
+  - split.
+    + intros i j [a b] I J differ [(k & range & X & Y) (l & range' & X' & Y')].
+      cbn in I, J. each_index i; each_index j; known_vertices; lra.
+    + intros i j I J (k & range & X & Y). exfalso. cbn in I, J. each_index i; each_index j; known_vertices; lra.
+  - intros i j I J differ [X Y]. cbn in I, J.
+    each_index i; each_index j; known_vertices; try (exfalso; lra); (split; [intros _ | intros flat]);
+      unfold inside_angle; vm_compute in *; (split; intros [? ?]; discriminate) || discriminate || reflexivity.
+  - rewrite (by_points (Vector (1 # 2) 1)); [vm_compute; reflexivity | | vm_compute; discriminate].
+    apply off_by_computation. vm_compute. reflexivity.
 Qed.

@@ -1,12 +1,9 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Chains that touch themselves, but do not cross (below Definition 2.1.9): moving their vertices by as little as one
-   likes makes them simple. They turn once, too; and they go round each point not at all, or once in the direction in
-   which they turn. For a small enough move changes no turn and no winding number: these are counted by which edges
-   lead across a line that no edge is parallel to, and in which direction they turn there, and both stay as they are
-   for a while. *)
+(* Small moves of the vertices of a chain do not change how often it goes round a point that is not on it. For that is
+   counted by which edges lead across a line that no vertex is on, seen from the point, and in which direction they turn
+   there; and both stay as they are for a while. *)
 From Coq Require Import ZArith Lia Bool List.
-From Oplus Require Import numbers convolution rotation small_numbers neighbourhoods total_turn regions secants
-  simple_chain simple_chains_turn_once winding_numbers_of_simple_chains.
+From Oplus Require Import numbers convolution small_numbers neighbourhoods regions secants simple_chain.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -14,9 +11,6 @@ Open Scope Q_scope.
 Definition near (radius : Q) (chain moved_ : list vector) : Prop :=
   length moved_ = length chain /\
   forall i, (i < length chain)%nat -> within radius (vertex chain i) (vertex moved_ i).
-
-Definition becomes_simple (chain : list vector) : Prop :=
-  forall radius, 0 < radius -> exists moved_, near radius chain moved_ /\ simple moved_.
 
 Lemma small_product (a b radius : Q) : - radius < a < radius -> - radius < b < radius -> 0 < radius < 1 ->
   - radius <= a * b <= radius.
@@ -138,51 +132,6 @@ Proof.
     now apply sweep_stays.
 Qed.
 
-Lemma corners_by_index (chain : list vector) :
-  corners chain = map (corner_of_chain chain) (seq 0 (length chain)).
-Proof.
-  apply (nth_ext _ _ (Corner nowhere nowhere) (Corner nowhere nowhere)).
-  - now rewrite corners_length, map_length, seq_length.
-  - intros i I. rewrite corners_length in I.
-    rewrite (nth_indep _ _ (corner_of_chain chain 0)) by now rewrite corners_length.
-    rewrite (nth_indep (map _ _) _ (corner_of_chain chain 0)) by now rewrite map_length, seq_length.
-    rewrite map_nth, seq_nth by exact I. unfold corner_of_chain at 1. apply nth_indep. now rewrite corners_length.
-Qed.
-
-Lemma edges_stay_near (radius : Q) (chain moved_ : list vector) (i : nat) : near ((1 # 2) * radius) chain moved_ ->
-  (i < length chain)%nat -> within radius (edge_of_chain chain i) (edge_of_chain moved_ i).
-Proof.
-  intros [same_length close] I. rewrite !edge_of_chain_joins_vertices by (rewrite ?same_length; exact I).
-  rewrite same_length. pose proof (close i I). pose proof (close _ (next_in_range i _ I)).
-  unfold within, minus in *. cbn [vx vy] in *. lra.
-Qed.
-
-(* Theorem. The turning number stays while the vertices of a chain are moved a little. *)
-Theorem turning_number_stays (chain : list vector) : turns_everywhere chain ->
-  eventually (fun radius => forall moved_, near ((1 # 2) * radius) chain moved_ -> turns_everywhere moved_ ->
-    turning_number moved_ = turning_number chain).
-Proof.
-  intros turn. set (n := length chain).
-  destruct (direction_parallel_to_none (edge_directions chain)) as (d & some & across).
-  { intros u U. exact (turning_chains_have_edges chain turn u U). }
-  assert (beside_ : forall i, (i < n)%nat -> ~ cross d (edge_of_chain chain i) == 0).
-  { intros i I. apply across. unfold edge_of_chain. apply nth_In. now rewrite edges_length. }
-  assert (by_sweeps : forall c, turns_everywhere c -> turning_number c =
-    sum (map (fun i => sweep (Direction d OfP) (edge_of_chain c (previous (length c) i)) (edge_of_chain c i))
-      (seq 0 (length c)))).
-  { intros c C. rewrite <- (turns_past_every_direction c (Direction d OfP) C some). unfold turns_past.
-    rewrite corners_by_index, map_map. f_equal. apply map_ext_in. intros i I. apply in_seq in I.
-    now rewrite corner_is by lia. }
-  refine (eventually_implied _ _ _ (sweeps_stay n OfP d (fun i => edge_of_chain chain (previous n i))
-    (edge_of_chain chain) some _)).
-  - intros radius stays moved_ close turn'. pose proof close as [same_length _].
-    rewrite (by_sweeps chain turn), (by_sweeps moved_ turn'), same_length. apply stays. intros i I.
-    split; apply edges_stay_near; trivial. now apply previous_below.
-  - intros i I. pose proof (previous_below n i I) as J. split; [| split; now apply beside_].
-    pose proof (turn (corner_of_chain chain i) ltac:(apply nth_In; now rewrite corners_length)) as at_corner.
-    now rewrite corner_is in at_corner by exact I.
-Qed.
-
 Lemma edges_by_number (chain : list vector) : edges chain = map (edge_at chain) (seq 0 (length chain)).
 Proof.
   apply (nth_ext _ _ no_segment (edge_at chain 0)).
@@ -193,7 +142,7 @@ Qed.
 Lemma within_seen (radius : Q) (a b x : vector) : within radius a b -> within radius (minus a x) (minus b x).
 Proof. unfold within, minus. cbn [vx vy]. lra. Qed.
 
-(* Theorem. So does the winding number of a point off the chain. *)
+(* Theorem. The winding number of a point off the chain stays while the vertices are moved a little. *)
 Theorem winding_number_stays (chain : list vector) (x : vector) : off x (edges chain) ->
   eventually (fun radius => forall moved_, near radius chain moved_ -> off x (edges moved_) ->
     winding_number x (edges moved_) = winding_number x (edges chain)).
@@ -251,28 +200,4 @@ Proof.
     assert ((1 - t) * (vx w * (vx a - vx x) + vy w * (vy a - vy x)) +
       t * (vx w * (vx b - vx x) + vy w * (vy b - vy x)) == 0); [| lra].
     rewrite X, Y. ring.
-Qed.
-
-(* Theorem. A chain that small moves make simple turns once, and goes round each point not at all, or once in the
-   direction in which it turns. *)
-Theorem limits_of_simple_chains_turn_once (chain : list vector) : turns_everywhere chain -> becomes_simple chain ->
-  (turning_number chain = 1%Z \/ turning_number chain = (-1)%Z) /\
-  (forall x, off x (edges chain) ->
-     winding_number x (edges chain) = 0%Z \/ winding_number x (edges chain) = turning_number chain).
-Proof.
-  intros turn limit. pose proof (turning_number_stays chain turn) as number_stays. split.
-  - destruct (some_small _ number_stays) as (radius & R & stays).
-    destruct (limit ((1 # 2) * radius) ltac:(lra)) as (moved_ & close & simple_).
-    rewrite <- (stays moved_ close (simple_chain_turns_everywhere moved_ simple_)), (simple_chain_turns_once _ simple_).
-    destruct (is_counterclockwise moved_); [now left | now right].
-  - intros x free.
-    destruct (some_small _ (eventually_and _ _ number_stays (eventually_and _ _ (winding_number_stays chain x free)
-      (stays_off chain x free)))) as (radius & R & number & winding_ & still_off).
-    destruct (limit ((1 # 2) * radius) ltac:(lra)) as (moved_ & close & simple_).
-    assert (closer : near radius chain moved_).
-    { destruct close as [same_length close]. split; [exact same_length |]. intros i I. specialize (close i I).
-      apply (within_smaller ((1 # 2) * radius)); [lra | exact close]. }
-    rewrite <- (winding_ moved_ closer (still_off moved_ closer)).
-    rewrite <- (number moved_ close (simple_chain_turns_everywhere moved_ simple_)).
-    apply simple_chain_winds_at_most_once; [exact simple_ | exact (still_off moved_ closer)].
 Qed.
