@@ -148,7 +148,9 @@ Section Cut.
     pose proof (ray_leaves_an_edge _ k _ _ not_back K (ray_back_of_edge i I) inside_) as back_.
     pose proof (one_side i k I K inside_) as sides. cbv zeta in sides. fold n in sides.
     assert (area_is : forall c, cross (along (edge_at chain k)) (minus c (vertex chain i)) == area (edge_at chain k) c).
-    { intros c. rewrite <- (Qplus_0_l (cross _ _)), <- line. unfold area, cross, along, minus. cbn [vx vy]. ring. }
+    { intros c. assert (parts : cross (along (edge_at chain k)) (minus c (vertex chain i)) ==
+        area (edge_at chain k) c - area (edge_at chain k) (vertex chain i))
+        by (unfold area, cross, along, minus; cbn [vx vy]; ring). rewrite parts, line. ring. }
     unfold ray_out, ray_back in *. fold n in out_, back_ |- *. rewrite area_is in out_, back_. rewrite !area_is.
     assert (strictly : forall q, 0 <= q -> ~ q == 0 -> 0 < q)
       by (intros q at_least no; destruct (Q_dec q 0) as [[less | more] | equal]; [lra | exact more | contradiction]).

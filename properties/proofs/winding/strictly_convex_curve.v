@@ -225,7 +225,7 @@ Proof.
       assert (v_less : gauge v < i + i * - l).
       { apply (gauge_of_mixed r u v i (i * - l)); trivial; [| nra |].
         - unfold cross. rewrite X, Y. intros zero_. apply turn'. unfold cross.
-          apply (Qmult_inj_l _ _ (- m)); [lra |]. rewrite <- (Qmult_0_r (- m)) in zero_. lra.
+          apply (Qmult_inj_l _ _ (- m)); [lra |]. lra.
         - unfold equal_vectors, vector_sum, stretched. cbn [vx vy]. rewrite X, Y.
           split; [setoid_replace (vx v) with (i * m * vx v) at 1 by (rewrite inverse; ring)
             | setoid_replace (vy v) with (i * m * vy v) at 1 by (rewrite inverse; ring)]; ring. }
