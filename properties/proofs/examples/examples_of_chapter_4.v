@@ -45,8 +45,10 @@ Example tracing_the_chamber : let k := length (segments_of_regions chamber [squa
   (list_sum (map (fun c => operation_count (traced (fst c) (snd c))) (list_prod chamber [square])) <= 24 * k)%nat.
 Proof.
   destruct (theorem_4_1_10_for_regions chamber [square]) as [few long]; [| | discriminate .. |].
-  - repeat (apply Forall_cons; [apply is_simple_decides; vm_compute; reflexivity |]). apply Forall_nil.
-  - repeat (apply Forall_cons; [apply is_simple_decides; vm_compute; reflexivity |]). apply Forall_nil.
+  - repeat (apply Forall_cons; [apply simple_chains_turn_so, is_simple_decides; vm_compute; reflexivity |]).
+    apply Forall_nil.
+  - repeat (apply Forall_cons; [apply simple_chains_turn_so, is_simple_decides; vm_compute; reflexivity |]).
+    apply Forall_nil.
   - split; [exact long | exact few].
 Qed.
 
