@@ -39,8 +39,8 @@ Proof.
   destruct (tracing_finds_all_cycles p q p_edges q_edges p_some q_some)
     as (cycles & written_ & cost & ran & are_cycles & together & few).
   destruct (cycles_cover_the_convolution p q p_edges q_edges p_some q_some) as (others & coded & _).
-  destruct (some_cycle_is_long p q others p_turns q_turns p_some q_some q_once coded) as (cycle & _ & at_least &
-    at_most_).
+  destruct (some_cycle_is_long p q others p_turns q_turns p_some q_some q_once coded)
+    as (cycle & _ & at_least & at_most_).
   assert (long : n + m <= k) by (unfold n, m, k; lia).
   unfold traced. rewrite ran. cbn [answer operation_count]. split; [| split; [| exact long]].
   - exists cycles. now split.
@@ -91,8 +91,7 @@ Proof.
 Qed.
 
 (* Theorem 4.1.10 for regions, each of any number of chains that turn once, holes among them: all pairs of chains
-   together take
-   no more than 24 operations for each segment, and there are at least n + m segments. *)
+   together take no more than 24 operations for each segment, and there are at least n + m segments. *)
 Theorem theorem_4_1_10_for_regions (p q : region) :
   Forall turns_once p -> Forall turns_once q -> p <> [] -> q <> [] ->
   let k := length (segments_of_regions p q) in
