@@ -6,9 +6,11 @@ From Oplus Require Import convolution theorem_4_2_1 theorem_2_2_10 lemma_2_2_2 p
   printed_corollary_2_2_3 definition_2_2_8 small_polygons fans_that_touch printed_definition_2_2_7 printed_lemma_2_2_2
   printed_equation_2_1 regions neighbourhoods printed_lemma_2_2_2 left_of_an_edge winding_number_of_the_sum lemma_2_2_5
   theorem_3_2_8 printed_lemma_2_2_5 printed_lemma_4_1_3 printed_lemma_4_1_4 balanced_graph convolution_graph
-  printed_lemma_4_1_5 lemma_4_1_8 printed_lemma_4_1_8 signed_crossings replaced_segments lemma_4_2_13
+  printed_lemma_4_1_5 lemma_4_1_8 printed_lemma_4_1_8 tracing_programs printed_theorem_4_1_10 signed_crossings
+  replaced_segments lemma_4_2_13
   printed_lemma_4_2_13 convolution_winding finite_sums interiors_meet lemma_4_2_15 simple_chain simple_chains_turn_once
-  printed_lemma_4_2_15 theorem_2_2_6 reflected placed_collision printed_observation_4_2_8 naive_collision
+  printed_lemma_4_2_15 theorem_2_2_6 reflected placed_collision printed_observation_4_2_5
+  printed_observation_4_2_8 naive_collision
   collision_is_complete section_5_1 simple_polygons printed_section_5_1 printed_theorem_2_2_10 printed_theorem_2_2_6
   test_of_regions printed_theorem_4_2_1 drawn_sums.
 Import ListNotations.
@@ -108,6 +110,14 @@ Example rows_and_columns_of_the_room :
   (forall i, (i < 12)%nat -> exists j, (j < 4)%nat /\ is_convolution_segment room fitting_diamond OfP i j = true).
 Proof. apply (lemma_4_1_8_as_printed room fitting_diamond); apply drawn_polygons. Qed.
 
+(* 12 and 4 vertices, 32 segments. *)
+Example tracing_the_room_takes_little_time : (operation_count (traced room fitting_diamond) <= 16 * (12 + 4 + 32))%nat.
+Proof.
+  destruct (theorem_4_1_10_as_printed room fitting_diamond) as (_ & few & _); [apply drawn_polygons .. |].
+  assert (size : length (convolution room fitting_diamond) = 32%nat) by (vm_compute; reflexivity).
+  rewrite size in few. exact few.
+Qed.
+
 (* The room has four reflex vertices. *)
 Example the_original_convolution_of_the_room :
   well_defined_winding_numbers (original_convolution [room] [fitting_diamond]).
@@ -142,6 +152,28 @@ Proof.
   rewrite <- !section_5_1_as_printed by first [apply drawn_polygons |
     split; [apply is_simple_decides |]; vm_compute; reflexivity].
   split; [vm_compute; discriminate | vm_compute; reflexivity].
+Qed.
+
+(* From (-1, 1) a path to (1, 1) crosses the left side of the square with corners (0, 0) and (2, 2). *)
+Example into_the_square : let path := [Vector (-1) 1; Vector 1 1] in
+  sum (map (fun step_ => sum (map (fun s => if negative (vy (along s)) then 1%Z else 0%Z) (edges square)))
+    (steps_of_path path)) =
+  (winding_number (Vector 1 1) (edges square) - winding_number (Vector (-1) 1) (edges square))%Z.
+Proof.
+  apply (observation_4_2_5_as_printed square [Vector 1 1] (Vector (-1) 1)
+    (fun _ s => if negative (vy (along s)) then 1%Z else 0%Z)).
+  - apply off_by_computation. vm_compute. reflexivity.
+  - apply off_by_computation. vm_compute. reflexivity.
+  - intros step_ s x [<- | []] [<- | [<- | [<- | [<- | []]]]] (k & range & X & Y) (l & range' & X' & Y');
+      cbn [fst snd source target vx vy] in *; try (exfalso; lra). split; [exists k | split; [exists l |]].
+    + split; [lra | split; [exact X | exact Y]].
+    + split; [lra | split; [exact X' | exact Y']].
+    + vm_compute. discriminate.
+  - intros step_ s [<- | []] [<- | [<- | [<- | [<- | []]]]]; (split; [| try reflexivity]);
+      try (intros x (k & range & X & Y) (l & range' & X' & Y'); cbn [fst snd source target vx vy] in *; exfalso; lra).
+    + intros x _ _. vm_compute. reflexivity.
+    + intros apart_. destruct (apart_ (Vector 0 1)); [exists (1 # 2) | exists (1 # 2)];
+        cbn [fst snd source target vx vy]; lra.
 Qed.
 
 (* Where the diamond touches the room's wall. *)

@@ -5,7 +5,8 @@ From Coq Require Import QArith Lqa ZArith Lia Bool List Permutation.
 From Oplus Require Import convolution tracing balanced_graph convolution_graph convolution_cycles signed_crossings
   convolution_winding regions region_size valid_components test_of_components theorem_4_2_1_for_valid_regions
   size_of_valid_regions interiors_meet theorem_4_2_1 tangent_count small_polygons simple_polygons replaced_segments
-  tangent_features polygons_of_the_thesis drawn_regions fans_that_touch.
+  tangent_features polygons_of_the_thesis drawn_regions fans_that_touch simple_chain connected_parts
+  tracing_programs printed_theorem_4_1_10.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -36,6 +37,31 @@ Proof.
   pose proof (states_looked_at_are_few room fitting_diamond cycles p_edges q_edges) as few.
   rewrite size_of_the_convolution in few. cbn [length room fitting_diamond points_at map] in few.
   specialize (few ltac:(discriminate) ltac:(discriminate) traced). lia.
+Qed.
+
+(* The square with a hole and the square: one chain of 4 vertices is a hole. *)
+Example tracing_the_chamber : let k := length (segments_of_regions chamber [square]) in
+  (12 <= k)%nat /\
+  (list_sum (map (fun c => operation_count (traced (fst c) (snd c))) (list_prod chamber [square])) <= 24 * k)%nat.
+Proof.
+  destruct (theorem_4_1_10_for_regions chamber [square]) as [few long]; [| | discriminate .. |].
+  - repeat (apply Forall_cons; [apply simple_chains_turn_so, is_simple_decides; vm_compute; reflexivity |]).
+    apply Forall_nil.
+  - repeat (apply Forall_cons; [apply simple_chains_turn_so, is_simple_decides; vm_compute; reflexivity |]).
+    apply Forall_nil.
+  - split; [exact long | exact few].
+Qed.
+
+(* Lemma 4.1.5 with connected parts: whatever is connected to a segment of the room's convolution is on its circuit. *)
+Example one_circuit_of_the_room e : In e (convolution room fitting_diamond) ->
+  exists circuit others, closed_walk_of_edges state_before (state_after 12 4) circuit /\
+    Permutation (circuit ++ others) (convolution room fitting_diamond) /\
+    (forall f, In f circuit <-> is_connected state_before (state_after 12 4) (convolution room fitting_diamond) e f) /\
+    (forall f, In f others -> ~ is_connected state_before (state_after 12 4) (convolution room fitting_diamond) e f).
+Proof.
+  apply (euler_circuit_of_connected_states room fitting_diamond);
+    [apply (simple_polygons_are_regions room) | apply (simple_polygons_are_regions fitting_diamond)];
+    first [apply drawn_polygons | now left].
 Qed.
 
 (* Observation 4.2.5. From outside, through the hatch's walls, to the middle of the room: crossings add up to zero. *)

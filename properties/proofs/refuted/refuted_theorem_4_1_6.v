@@ -5,7 +5,8 @@
    set, the algorithm goes round the triangle at that vertex for ever. What holds is proved in algorithm_2.v: with
    segments marked as soon as they are taken, it returns. *)
 From Coq Require Import Lia List.
-From Oplus Require Import convolution tracing algorithm_2 simple_chain polygons_of_the_thesis.
+From Oplus Require Import convolution tracing algorithm_2 algorithm_2_goes_round simple_chain small_polygons
+  polygons_of_the_thesis.
 Import ListNotations.
 
 Open Scope nat_scope.
@@ -46,6 +47,41 @@ Theorem theorem_4_1_6_as_corrected (p q : list vector) (visited : list named_seg
     balanced (length p) (length q) (fun s => is_in s (rev cycle ++ visited)).
 Proof.
   intros p_edges q_edges distinct_ within_ even [I J]. now apply algorithm_2_traces_convolution_cycles.
+Qed.
+
+(* Theorem, the else branch. Whatever segment Algorithm 2 takes, along Q without a test or along P after one, is in the
+   convolution and not visited before. *)
+Theorem else_branch_is_right (p q : list vector) (visited : list named_segment) (start : state) (steps : nat)
+    (front back : list named_segment) (s : named_segment) :
+  no_edge_is_a_point p -> no_edge_is_a_point q ->
+  NoDup visited -> incl visited (convolution p q) -> balanced (length p) (length q) (fun s => is_in s visited) ->
+  in_grid (length p) (length q) start ->
+  (exists along_, In (along_, start) (convolution p q) /\ ~ In (along_, start) visited) ->
+  algorithm_2 (length p) (length q) (in_convolution p q) (2 * length p * length q) start visited start =
+    Some (front ++ s :: back) ->
+  In s (convolution p q) /\ ~ In s (rev front ++ visited).
+Proof.
+  intros p_edges q_edges distinct_ within_ even inside_ some found.
+  destruct (theorem_4_1_6_as_corrected p q visited start p_edges q_edges distinct_ within_ even inside_ some)
+    as (cycle & returned & _ & _ & distinct' & within' & _).
+  rewrite found in returned. injection returned as <-.
+  rewrite rev_app_distr in distinct', within'. cbn [rev] in distinct', within'.
+  rewrite <- !app_assoc in distinct', within'.
+  split; [apply within', in_app_iff; right; now left |].
+  apply NoDup_remove_2 in distinct'. intros I. now apply distinct', in_app_iff; right.
+Qed.
+
+(* Theorem. It is right only if an unvisited segment leaves the state where it starts. That the state's point is one of
+   the convolution, as the input of Algorithm 2 is said to be, is not enough: for two equal squares (2, 0) is the point
+   of two states, a segment leaves the one of them, and from the other the else branch takes one that is none of the
+   convolution. *)
+Theorem else_branch_needs_a_segment_that_leaves : exists other_state,
+  In (OfQ, other_state) (convolution square square) /\
+  equal_vectors (point_of (square, square) other_state) (point_of (square, square) (0, 1)) /\
+  ~ In (chosen (in_convolution square square) [] (0, 1)) (convolution square square).
+Proof.
+  exists (1, 0). split; [vm_compute; tauto |]. split; [split; reflexivity |].
+  intros I. vm_compute in I. repeat (destruct I as [I | I]; [discriminate I |]). exact I.
 Qed.
 
 (* The triangle and the quadrangle again, from the same state. *)
