@@ -12,7 +12,7 @@ from pathlib import Path
 
 SETTING = re.compile(r"^Extract (.*?)\.$", re.MULTILINE | re.DOTALL)
 REQUIRED = re.compile(r"Require (?:Import |Export )?([^.]*)\.")
-COMMENT = re.compile(r"\(\*.*?\*\)|/\*.*?\*/", re.DOTALL)
+COMMENT = re.compile(r"\(\*.*?\*\)|/\*.*?\*/|^//[^\n]*", re.DOTALL | re.MULTILINE)
 
 
 def without_comments(path):
