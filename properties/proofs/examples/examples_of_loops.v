@@ -5,7 +5,7 @@ From Coq Require Import QArith Qminmax Lqa ZArith Lia Bool List.
 From Oplus Require Import regions_and_sums simple_chain simple_chains_turn_once angle inside_a_corner theorem_2_2_10
   lemma_2_2_2 observation_2_2_4 filling interiors_meet parallelogram reduced_convolution polygons_of_the_thesis
   printed_lemma_2_2_2 drawn_regions drawn_sums connected_sets refuted_definition_2_1_9 refuted_corollary_3_1_3
-  faces_of_the_sum loops_of_the_boundary algorithm_1 arranged_convolution arrangement_of_the_convolution
+  faces_of_the_sum chains_of_faces loops_of_the_boundary algorithm_1 arranged_convolution arrangement_of_the_convolution
   printed_lemma_3_1_2 printed_observation_3_1_4 printed_observation_3_2_4 printed_observation_3_2_5
   printed_theorem_3_2_8 refuted_observation_3_1_5.
 Import ListNotations.
@@ -113,4 +113,15 @@ Example faces_have_weakly_simple_chains : exists chains : list (list vector),
 Proof.
   destruct slit_and_square_are_regions as [p_region q_region].
   destruct (corollary_3_1_3_as_corrected _ _ p_region q_region) as (chains & simple_ & bound & _). now exists chains.
+Qed.
+
+Example chains_bound_faces : exists chains : list (list vector),
+  (forall x, on_boundary_of_sum x [room_with_a_slit] [unit_square] <-> on_boundary x chains) /\
+  forall chain, In chain chains -> weakly_simple chain /\ exists a,
+    inner_point_of_sum a [room_with_a_slit] [unit_square] /\ forall x, on_boundary x [chain] ->
+      on_boundary_of_set (face_of_the_sum [room_with_a_slit] [unit_square] a) x.
+Proof.
+  destruct slit_and_square_are_regions as [p_region q_region].
+  destruct (corollary_3_1_3_for_each_chain _ _ p_region q_region) as (chains & simple_ & boundary & face_ & _).
+  exists chains. split; [exact boundary |]. intros chain C. split; [exact (simple_ chain C) | exact (face_ chain C)].
 Qed.

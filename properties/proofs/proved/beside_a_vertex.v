@@ -225,13 +225,16 @@ End Rays.
 Section Sides.
   Variable segments : list segment.
   Hypothesis parts : share_ends_only segments.
-  (* What does not change off the segments, and what it is to the right of them. *)
+  (* What does not change off the segments, up to a relation, and what it is to the right of them. *)
   Context {A : Type}.
+  Variable same : A -> A -> Prop.
+  Hypothesis same_turned : forall a b, same a b -> same b a.
+  Hypothesis same_on : forall a b c, same a b -> same b c -> same a c.
   Variable value : vector -> A.
   Variable on_the_right : segment -> A.
-  Hypothesis same_off : forall a b, (forall w, lies_on w (Segment a b) -> off w segments) -> value a = value b.
+  Hypothesis same_off : forall a b, (forall w, lies_on w (Segment a b) -> off w segments) -> same (value a) (value b).
   Hypothesis same_beside : forall s w n, directed segments s -> strictly_inside w s -> cross (along s) n < 0 ->
-    eventually (fun d => value (moved_along w n d) = on_the_right s).
+    eventually (fun d => same (value (moved_along w n d)) (on_the_right s)).
 
   Notation next := (next_ray segments).
 
@@ -240,7 +243,7 @@ Section Sides.
     within radius v a -> within radius v b -> equal_vectors a (plus v c1) -> equal_vectors b (plus v c2) ->
     0 < cross c1 c2 ->
     (forall u, directed segments u -> source u = v -> 0 <= cross c1 (along u) -> 0 <= cross (along u) c2 -> False) ->
-    value a = value b.
+    same (value a) (value b).
   Proof.
     intros near close_1 close_2 [ax ay] [bx by_] left_ none. apply same_off. intros w on e E on_e.
     destruct (near e E w (within_along _ _ _ _ _ close_1 close_2 on) on_e) as (u & k & U & starts & some & X & Y).
@@ -260,7 +263,8 @@ Section Sides.
   Qed.
 
   (* Theorem. *)
-  Theorem left_of_a_ray (s : segment) : directed segments s -> on_the_right (reversed s) = on_the_right (next s).
+  Theorem beside_the_next_ray (s : segment) : directed segments s ->
+    same (on_the_right (reversed s)) (on_the_right (next s)).
   Proof.
     intros S. destruct (next_ray_is segments s S) as (F & starts & first_). set (f := next s) in *.
     set (v := source s) in *. set (b := along s) in *. set (g := along f) in *.
@@ -291,7 +295,7 @@ Section Sides.
         (eventually_positive _ (cross m2 q) k_m2))
       (eventually_and _ _ (small_steps_stay_within _ (moved_along v b k) p half)
         (small_steps_stay_within _ (moved_along v g k) q half)))))
-      as (d & some & (<- & <-) & (c1_m1 & m2_c2) & near_s & near_f).
+      as (d & some & (beside_s & beside_f) & (c1_m1 & m2_c2) & near_s & near_f).
     set (c1 := minus (moved_along (moved_along v b k) p d) v).
     set (c2 := minus (moved_along (moved_along v g k) q d) v).
     assert (b_c1 : 0 < cross b c1)
@@ -319,13 +323,35 @@ Section Sides.
     { apply (left_by_turns b) in c2_g, c2_left; trivial.
       fold t in c2_g. pose proof (turned_range b c2 b_long c2_long). lra. }
     pose proof (turned_range b c1 b_long c1_long).
-    transitivity (value (plus v m1)); [| transitivity (value (plus v m2))].
+    apply (same_on _ _ _ (same_turned _ _ beside_s)). refine (same_on _ _ _ _ beside_f).
+    apply (same_on _ (value (plus v m1))); [| apply (same_on _ (value (plus v m2)))].
     - apply (nothing_is_met v radius _ _ c1 m1 near); trivial; [unfold within in *; lra | unfold c1; by_computing |
         reflexivity |]. intros u. apply none; trivial; lra.
     - apply (nothing_is_met v radius _ _ m1 m2 near); trivial; [reflexivity | reflexivity |]. intros u.
       apply none; trivial; lra.
     - apply (nothing_is_met v radius _ _ m2 c2 near); trivial; [unfold within in *; lra | reflexivity |
         unfold c2; by_computing |]. intros u. apply none; trivial; lra.
+  Qed.
+
+End Sides.
+
+Section Values.
+  Variable segments : list segment.
+  Hypothesis parts : share_ends_only segments.
+  (* The same with equal values. *)
+  Context {A : Type}.
+  Variable value : vector -> A.
+  Variable on_the_right : segment -> A.
+  Hypothesis same_off : forall a b, (forall w, lies_on w (Segment a b) -> off w segments) -> value a = value b.
+  Hypothesis same_beside : forall s w n, directed segments s -> strictly_inside w s -> cross (along s) n < 0 ->
+    eventually (fun d => value (moved_along w n d) = on_the_right s).
+
+  Notation next := (next_ray segments).
+
+  (* Theorem. *)
+  Theorem left_of_a_ray (s : segment) : directed segments s -> on_the_right (reversed s) = on_the_right (next s).
+  Proof.
+    exact (beside_the_next_ray segments parts eq (@eq_sym A) (@eq_trans A) value on_the_right same_off same_beside s).
   Qed.
 
   (* Corollary. All rays together have as much on their left as on their right. *)
@@ -344,4 +370,4 @@ Section Sides.
       unfold sum. clear next_permutes. induction (rays segments v) as [| s l IH]; cbn [map fold_right]; lia.
     - rewrite (sum_of_permutation _ _ (Permutation_map _ next_permutes)). lia.
   Qed.
-End Sides.
+End Values.
