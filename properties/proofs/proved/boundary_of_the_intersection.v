@@ -277,25 +277,3 @@ Section Intersection.
       + exact (kept_pieces_bound_the_intersection r edges_are).
   Qed.
 End Intersection.
-
-(* Theorem 4.2.14 with the boundary of the intersection constructed, for two simple polygons and x in general position:
-   a valid region has the points inside both P and -Q + x, and no others; and the winding number of the original
-   convolution at x is the sum of the turning numbers of its chains. *)
-Theorem intersection_is_constructed (p q : list vector) (x : vector) :
-  simple_polygon p -> simple_polygon q -> off_vertex_edge_sum x [p] [q] ->
-  exists r, valid_region r /\ turns_in_all_chains r /\ bounds_the_intersection r x [p] [q] /\
-    (forall y, winding_number y (region_edges r) = 1%Z <->
-       (0 < winding_number y (region_edges [p]))%Z /\ (0 < winding_number y (region_edges (placed x [q])))%Z) /\
-    winding_number x (original_convolution [p] [q]) = turning_numbers r.
-Proof.
-  intros p_polygon q_polygon general. set (b := reflected_polygon x q).
-  exists (chains_of (length (kept_boundary p b)) (kept_boundary p b)).
-  destruct (winding_number_of_the_constructed_intersection p q x p_polygon q_polygon general) as (valid & points &
-    number).
-  assert (edges_are : Permutation (region_edges (chains_of (length (kept_boundary p b)) (kept_boundary p b)))
-    (kept_boundary p b))
-    by exact (chains_of_kept _ _ _ (two_families_end p b p_polygon (reflected_polygon_is_one x q q_polygon))).
-  split; [exact valid |]. split; [exact (kept_pieces_turn p q x p_polygon q_polygon general _ edges_are) |].
-  split; [exact (kept_pieces_bound_the_intersection p q x p_polygon q_polygon general _ edges_are) |].
-  split; [exact points | exact number].
-Qed.
