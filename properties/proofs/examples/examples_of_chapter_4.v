@@ -6,7 +6,7 @@ From Oplus Require Import convolution tracing balanced_graph convolution_graph c
   convolution_winding regions region_size valid_components test_of_components theorem_4_2_1_for_valid_regions
   size_of_valid_regions interiors_meet theorem_4_2_1 tangent_count small_polygons simple_polygons replaced_segments
   tangent_features polygons_of_the_thesis drawn_regions fans_that_touch simple_chain connected_parts
-  tracing_programs printed_theorem_4_1_10.
+  tracing_programs printed_theorem_4_1_10 chains_of_the_intersection.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -76,6 +76,17 @@ Proof.
   - apply off_by_computation. vm_compute. reflexivity.
   - apply off_by_computation. vm_compute. reflexivity.
   - vm_compute. reflexivity.
+Qed.
+
+(* Theorem 4.2.14: where the diamond is in the hatch of the room, the intersection has chains. *)
+Example chains_in_the_hatch : exists r, valid_region r /\ (forall chain, In chain r -> simple chain) /\
+  winding_number (Vector (41 # 10) (11 # 2)) (original_convolution [room] [fitting_diamond]) =
+    (outer_chains r - holes r)%Z.
+Proof.
+  destruct (theorem_4_2_14_with_the_boundary_constructed room fitting_diamond (Vector (41 # 10) (11 # 2)))
+    as (r & valid & all_simple & _ & number); [apply drawn_polygons .. | |].
+  - apply general_position_by_computation. vm_compute. reflexivity.
+  - exists r. split; [exact valid | split; [exact all_simple | exact number]].
 Qed.
 
 (* Theorem 4.2.1 in general position. *)
