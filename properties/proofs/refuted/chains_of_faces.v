@@ -46,7 +46,7 @@ Proof.
     exact (walks_are_weakly_simple p q p_region q_region loop (are_loops loop L)).
   - intros x. rewrite (boundary_is_kept p q _ _ _ loops_ x). split.
     + intros (e & E & on). assert (W : In (reversed e) way) by now apply in_map.
-      apply (all_are_traced p q p_region q_region), in_concat in W. destruct W as (loop & L & W).
+      apply (all_turns_are_traced p q p_region q_region), in_concat in W. destruct W as (loop & L & W).
       exists (reversed e). split.
       * apply in_flat_map. exists (map source loop). split; [now apply in_map |].
         now rewrite (edges_of_a_walk way loop (are_loops loop L)).

@@ -91,7 +91,7 @@ Section Sum.
     refine (rays_differ kept parts g f (it_is_directed g G) (it_is_directed f listed) _ other same_). congruence.
   Qed.
 
-  Lemma all_are_traced (e : segment) : In e the_other_way -> In e (concat (algorithm_1 the_other_way)).
+  Lemma all_turns_are_traced (e : segment) : In e the_other_way -> In e (concat (algorithm_1 the_other_way)).
   Proof.
     intros E. destruct (edges_around_are_traced the_other_way the_other_way) with (stack := the_other_way)
       (earlier := @nil segment) (e := e) as [yes | two].
