@@ -3,7 +3,7 @@
    other way, with the largest clockwise turns, go round faces of the sum: the next ray counterclockwise from an edge
    has on its right what the edge has on its left (beside_a_vertex.v). Algorithm 1 traces them. *)
 From Coq Require Import QArith Qminmax Lqa ZArith Lia Bool List Permutation.
-From Oplus Require Import regions_and_sums connected_sets theorem_2_2_10 lemma_2_2_2 inside_a_corner lemma_3_1_2
+From Oplus Require Import simple_when_cut regions_and_sums connected_sets theorem_2_2_10 lemma_2_2_2 inside_a_corner lemma_3_1_2
   distinct balanced_edges observation_2_2_4 simple_chain pieces naive_collision collision_is_sound beside_a_piece
   filling kept_pieces_go_round beside_a_vertex just_right_of_a_piece valid_regions_are_accepted nested_polygons
   region_of_pieces rule_of_sides written_regions sum_is_right printed_lemma_2_2_2 refuted_definition_2_1_9
@@ -286,7 +286,8 @@ Section Sum.
       - intros same_. apply other. now apply (proj1 (NoDup_nth loop no_segment) once).
       - intros same_. apply the_other_way_is in E, F. rewrite same_, reversed_twice in E.
         apply (not_turned kept parts _ _ F E). now rewrite reversed_twice. }
-    unfold weakly_simple. cbv zeta. rewrite map_length. split.
+    unfold weakly_simple, edges_are_interior_disjoint, vertices_touch_from_one_side. cbv zeta.
+    rewrite map_length. split.
     - intros i j x I J other [in_i in_j]. rewrite edge_is in in_i, in_j.
       exact (apart_ i j x I J other in_i (strictly_inside_lies_on _ _ in_j)).
     - intros i j I J inside_. exfalso. rewrite edge_is in inside_. unfold vertex in inside_.
