@@ -41,29 +41,24 @@ Proof.
   assert (c_some : ~ c == 0) by (intros none; apply long_t; rewrite cx, cy, none; split; ring).
   assert (inverse : c * (1 / c) == 1) by (field; exact c_some). set (d := 1 / c) in *. clearbody d.
   unfold along, minus in cx, cy. cbn [vx vy] in cx, cy.
+  set (m := l + (1 - k) * d). assert (end_of_s : vx (target s) == (1 - m) * vx (source t) + m * vx (target t) /\
+                                                 vy (target s) == (1 - m) * vy (source t) + m * vy (target t)).
+  { setoid_replace (vx (target s)) with (vx w + (1 - k) * (d * (vx (target t) - vx (source t))))
+      by (rewrite cx; setoid_replace (d * (c * (vx (target s) - vx (source s)))) with
+        (c * d * (vx (target s) - vx (source s))) by ring; rewrite inverse, kx; ring).
+    setoid_replace (vy (target s)) with (vy w + (1 - k) * (d * (vy (target t) - vy (source t))))
+      by (rewrite cy; setoid_replace (d * (c * (vy (target s) - vy (source s)))) with
+        (c * d * (vy (target s) - vy (source s))) by ring; rewrite inverse, ky; ring).
+    unfold m. rewrite lx, ly. split; ring. }
   destruct (Q_dec c 0) as [[less | more] | none]; [| | contradiction].
   - assert (d < 0) by nra. destruct (Qlt_le_dec (1 - k) (l * - c)) as [near | far].
-    + apply s2. exists (l + (1 - k) * d). split; [nra |].
-      setoid_replace (vx (target s)) with (vx w + (1 - k) * (d * (vx (target t) - vx (source t))))
-        by (rewrite cx; setoid_replace (d * (c * (vx (target s) - vx (source s)))) with
-          (c * d * (vx (target s) - vx (source s))) by ring; rewrite inverse, kx; ring).
-      setoid_replace (vy (target s)) with (vy w + (1 - k) * (d * (vy (target t) - vy (source t))))
-        by (rewrite cy; setoid_replace (d * (c * (vy (target s) - vy (source s)))) with
-          (c * d * (vy (target s) - vy (source s))) by ring; rewrite inverse, ky; ring).
-      rewrite lx, ly. split; ring.
+    + apply s2. exists m. split; [unfold m; nra | exact end_of_s].
     + apply t1. exists (k - l * c). split; [nra |].
       assert (X : vx w == vx (source t) + l * (c * (vx (target s) - vx (source s)))) by (rewrite <- cx, lx; ring).
       assert (Y : vy w == vy (source t) + l * (c * (vy (target s) - vy (source s)))) by (rewrite <- cy, ly; ring).
       rewrite kx in X. rewrite ky in Y. split; lra.
   - assert (0 < d) by nra. destruct (Qlt_le_dec (1 - k) ((1 - l) * c)) as [near | far].
-    + apply s2. exists (l + (1 - k) * d). split; [nra |].
-      setoid_replace (vx (target s)) with (vx w + (1 - k) * (d * (vx (target t) - vx (source t))))
-        by (rewrite cx; setoid_replace (d * (c * (vx (target s) - vx (source s)))) with
-          (c * d * (vx (target s) - vx (source s))) by ring; rewrite inverse, kx; ring).
-      setoid_replace (vy (target s)) with (vy w + (1 - k) * (d * (vy (target t) - vy (source t))))
-        by (rewrite cy; setoid_replace (d * (c * (vy (target s) - vy (source s)))) with
-          (c * d * (vy (target s) - vy (source s))) by ring; rewrite inverse, ky; ring).
-      rewrite lx, ly. split; ring.
+    + apply s2. exists m. split; [unfold m; nra | exact end_of_s].
     + apply t2. exists (k + (1 - l) * c). split; [nra |].
       assert (X : vx (target t) == vx w + (1 - l) * (c * (vx (target s) - vx (source s)))) by (rewrite <- cx, lx; ring).
       assert (Y : vy (target t) == vy w + (1 - l) * (c * (vy (target s) - vy (source s)))) by (rewrite <- cy, ly; ring).

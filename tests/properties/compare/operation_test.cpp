@@ -60,12 +60,11 @@ TEST(Operation, counts_what_its_values_have) {
 
 TEST(Operation, finds_lost_points_and_shrinks_the_pair) {
   const Engine loses = changed([](PlanarSet& sum) { sum.isolated_vertices.clear(); });
-  const CampaignReport report = run_of("ifp", loses, 20);
+  const CampaignReport report = run_of("ifp", loses, 80);
   EXPECT_FALSE(report.conforms());
   ASSERT_TRUE(report.counterexamples.contains("isolated vertex lost"));
   const ShrunkFailure& found = report.counterexamples.at("isolated vertex lost");
-  // A convex P, which could be smaller, takes no sum.
-  EXPECT_LE(size_of(found.sum.pair).vertices, 9U);
+  EXPECT_LE(size_of(found.sum.pair).vertices, 8U);
   EXPECT_FALSE(find_defined_operation("ifp")
                    ->compute(found.sum.pair.p, found.sum.pair.q)
                    .isolated_vertices.empty());
