@@ -1,7 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""docs/theorems.md, docs/mutants.md, and the graph of statements, docs/theorems/graph.md and graph.dot."""
+"""README's table of the thesis's numbered results, docs/theorems.md, docs/mutants.md, and the graph of statements,
+docs/theorems/graph.md and graph.dot."""
 
-from records import LOOKS
+import re
+
+from records import EXTENTS, LOOKS, InvalidRecord
 from statement_page import found_by
 
 PARTS = {"fact": "Facts that are not in the thesis", "law": "Laws of the sum", "step": "Steps of slide"}
@@ -34,6 +37,37 @@ def theorems_page(statements, mutants, records):
         "\nWhich rests on which: [the graph of statements](theorems/graph.md).\n")
 
 
+NUMBERED = {"lemma", "theorem", "corollary", "observation"}
+# What README says of a numbered result, by the strongest extent of its theorems. The first two settle it.
+RESULTS = {"as printed": "proved as printed",
+           "refuted and corrected": "false as printed: refuted, and proved as corrected",
+           "in part": "proved in part",
+           None: "tested, but not proved in Coq"}
+
+
+def with_numbered_results(readme, statements, backing):
+    """README with the table of the numbered results; its heading says how many of them are settled."""
+    results = {}
+    for statement in statements:
+        kind, _, number = (id := statement["statement"]).partition("-")
+        if kind in NUMBERED:
+            extent = next((extent for extent in EXTENTS if backing.theorems_of(id, extent)), None)
+            results.setdefault(extent, []).append(f"[{number}](docs/theorems/{id}.md)")
+    number = sum(map(len, results.values()))
+    settled = sum(len(results.get(extent, ())) for extent in EXTENTS[:2])
+    rows = [f"| {words} | {len(results[extent])} | {', '.join(results[extent])} |\n"
+            for extent, words in RESULTS.items() if extent in results]
+    section = (f"## {settled} of {number} results\n"
+               f"So many of the thesis's {number} numbered results are settled for all inputs by [proofs in Coq]"
+               "(docs/proofs.md). All are tested, and so are [other statements](docs/theorems.md): [which rests on "
+               "which](docs/theorems/graph.md).\n\n"
+               "| result | | what is proved, and how it is tested |\n|---|--:|---|\n" + "".join(rows) + "\n")
+    written, sections = re.subn(r"^## \d+ of \d+ results\n.*?(?=^## )", lambda _: section, readme, flags=re.M | re.S)
+    if sections != 1:
+        raise InvalidRecord("README.md: no section '## N of M results', for the thesis's numbered results")
+    return written
+
+
 def mutants_page(mutants, kills):
     text = ("# Mutants\nFaults that are put in on purpose, each a change of one line, and the statements that find "
             "them. Builds of the\npreset `check` contain them, switched off. A fault counts as found on a generated "
@@ -48,10 +82,11 @@ def mutants_page(mutants, kills):
     return text + f"\n{len(mutants)} faults, found {len(kills)} times.\n"
 
 
-def graph_page():
+def graph_page(statements, backing):
+    colours = [backing.colour(statement["statement"]) for statement in statements]
     return ("# The graph of statements\nAn arrow leads from a [statement](../theorems.md) to one that it rests on. "
-            "The colour of a node is the strongest way in which the statement is backed:\n\n" +
-            "".join(f"- {colour}: {name}\n" for name, _, colour in LOOKS) +
+            "The colour of a node is the strongest way in which the statement is backed, the number how many are:\n\n" +
+            "".join(f"- {colour}: {name}, {colours.count(fill)}\n" for name, fill, colour in LOOKS) +
             "\nAll are stated in C++, too.\n"
             "\n![The graph of statements](graph.svg)\n\n"
             "Generated from the sources by `properties/pages/pages.py`.\n")

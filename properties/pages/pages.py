@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writes docs/theorems.md, docs/mutants.md and docs/theorems/: a page for each statement, and the graph of all.
+"""Writes docs/theorems.md, docs/mutants.md and docs/theorems/: a page for each statement, and the graph of all; and in
+README the table of the thesis's numbered results.
 
 They are made from what `oplus-check theorems --json` prints and from what is recorded: docs/theorems/*.json and
 pictures/, which `oplus-maintain properties` and `mutants` write with --record, properties/proofs/theorems.json and
@@ -13,7 +14,7 @@ import sys
 from pathlib import Path
 
 import defects
-from index_pages import graph_in_dot, graph_page, mutants_page, theorems_page
+from index_pages import graph_in_dot, graph_page, mutants_page, theorems_page, with_numbered_results
 from records import InvalidRecord, Records
 from statement_page import statement_page
 
@@ -23,9 +24,10 @@ RECORDED = {"theorems/runs.json", "theorems/kills.json", "theorems/graph.svg"}
 
 def all_pages(statements, mutants, records):
     """The texts of all pages, by their paths from docs/."""
-    pages = {"theorems.md": theorems_page(statements, mutants, records),
+    pages = {"../README.md": with_numbered_results(records.readme, statements, records.backing),
+             "theorems.md": theorems_page(statements, mutants, records),
              "mutants.md": mutants_page(mutants, records.kills),
-             "theorems/graph.md": graph_page(),
+             "theorems/graph.md": graph_page(statements, records.backing),
              "theorems/graph.dot": graph_in_dot(statements, records)}
     text_of = {text.id: text for text in records.texts}
     for statement in statements:
@@ -87,7 +89,10 @@ def main(program, root, check):
         return [str(error)], 2
     if wrong := defects_of_sources(statements, mutants, records, root):
         return wrong, 1
-    pages, drawn = all_pages(statements, mutants, records), pictures(records)
+    try:
+        pages, drawn = all_pages(statements, mutants, records), pictures(records)
+    except InvalidRecord as error:
+        return [str(error)], 2
     if not check:
         write(pages, drawn, root / "docs")
         return [f"{len(pages)} files written"], 0

@@ -122,6 +122,7 @@ class Records:
             self.queries = with_expected_answers(self.backing.queries)
             self.texts = texts(root)
             self.citing = citing_pages(docs)
+            self.readme = (root / "README.md").read_text(encoding="utf-8")
             self.findings = headings_of((docs / "findings.md").read_text(encoding="utf-8"))
         except (KeyError, TypeError, ValueError, OSError) as error:
             raise InvalidRecord(f"a record is not as expected: {error!r}") from error

@@ -8,6 +8,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[3] / "properties/pages"))
 import embed_texts
+import index_pages
 import links
 import pages
 import records
@@ -77,7 +78,8 @@ class Pages(unittest.TestCase):
         for picture in ("typical", "shrunk"):
             self.write(f"docs/theorems/pictures/lemma-9.9.9-{picture}.svg", "")
         self.write("docs/theorems/graph.svg", '<g class="node">>lemma&#45;9.9.9</text>')
-        self.assertEqual(self.result(check=False), (["5 files written"], 0))
+        self.write("README.md", "# Sums\n## 0 of 31 results\n## Install\n")
+        self.assertEqual(self.result(check=False), (["6 files written"], 0))
 
     def write(self, path, text):
         path = self.root / path
@@ -134,8 +136,8 @@ class Pages(unittest.TestCase):
         change(lambda: self.kill.update(cases=6), "mutants.md", PAGE)
         change(lambda: self.query["counterexamples"]["one"].update(x="-1"), PAGE)
         self.write("properties/proofs/as_printed/lemma.v", "Theorem edges_exist (a : nat) :\n  a = a.\nProof. easy. Qed.\n")
-        change(lambda: self.theorem.update(extent="as printed", file="as_printed/lemma.v"), "theorems.md",
-               "theorems/graph.dot", PAGE)
+        change(lambda: self.theorem.update(extent="as printed", file="as_printed/lemma.v"), "../README.md",
+               "theorems.md", "theorems/graph.md", "theorems/graph.dot", PAGE)
         self.write("properties/proofs/over_the_reals/rational_only", "edges: computed\n")
         change(lambda: None, PAGE)  # over both numbers
         (self.docs / "rca.md").write_text("")
@@ -151,6 +153,15 @@ class Pages(unittest.TestCase):
                      "In short: proved by enumeration, 12 cases; machine-checked in part, 1 theorem; proved by SMT in "
                      "local form, 1 query; sampled, 40 pairs.\n"]:
             self.assertIn(part, self.page())
+
+    def test_readme_counts_the_numbered_results(self):
+        text = (self.root / "README.md").read_text(encoding="utf-8")
+        self.assertTrue(text.startswith("# Sums\n## 0 of 1 results\n"), text)
+        self.assertIn("\n| proved in part | 1 | [9.9.9](docs/theorems/lemma-9.9.9.md) |\n\n## Install\n", text)
+        self.write("README.md", text.replace("in part | 1", "in part | 2"))
+        self.expect("../README.md: out of date")
+        self.write("README.md", "# Sums\n")
+        self.assertEqual(self.result(), (["README.md: no section '## N of M results', for the thesis's numbered results"], 2))
 
     def test_statement_without_a_mutant(self):
         self.first()["kills"] = []
@@ -277,6 +288,23 @@ class Strength(unittest.TestCase):
         backing.theorems = 2 * [{"statement": "a", "extent": "as printed"}]
         expect("machine-checked as printed, 2 theorems; proved by enumeration, 7 cases; sampled, 40 pairs")
         self.assertEqual(len(set(colours)), 6)
+
+
+class NumberedResults(unittest.TestCase):
+    def test_are_settled_where_they_are_proved_or_refuted_and_corrected(self):
+        backing = object.__new__(records.Backing)
+        backing.runs, backing.queries = {}, []
+        extents = {"lemma-1.1.1": "as printed", "theorem-1.1.2": "refuted and corrected", "corollary-1.1.3": "in part",
+                   "observation-1.1.4": None, "section-1.1": "as printed", "fact-a": "as printed"}
+        backing.theorems = [{"statement": id, "extent": extent} for id, extent in extents.items()]
+        backing.theorems.insert(0, {"statement": "lemma-1.1.1", "extent": "in part"})
+        text = index_pages.with_numbered_results("## 9 of 9 results\n## End", [{"statement": id} for id in extents], backing)
+        self.assertTrue(text.startswith("## 2 of 4 results\n"), text)
+        self.assertEqual([line for line in text.splitlines() if line.startswith("| ")][1:],
+                         ["| proved as printed | 1 | [1.1.1](docs/theorems/lemma-1.1.1.md) |",
+                          "| false as printed: refuted, and proved as corrected | 1 | [1.1.2](docs/theorems/theorem-1.1.2.md) |",
+                          "| proved in part | 1 | [1.1.3](docs/theorems/corollary-1.1.3.md) |",
+                          "| tested, but not proved in Coq | 1 | [1.1.4](docs/theorems/observation-1.1.4.md) |"])
 
 
 class Refutation(unittest.TestCase):
