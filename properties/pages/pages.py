@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writes docs/theorems.md, docs/mutants.md and docs/theorems/: a page for each statement, and the graph of all; and in
-README the table of the thesis's numbered results.
+"""Writes docs/theorems.md, docs/mutants.md and docs/theorems/: a page for each statement, and the graph of all; docs/testing.md;
+and in README the table of the thesis's numbered results.
 
 They are made from what `oplus-check theorems --json` prints and from what is recorded: docs/theorems/*.json and
 pictures/, which `oplus-maintain properties` and `mutants` write with --record, properties/proofs/theorems.json and
@@ -17,16 +17,18 @@ import defects
 from index_pages import graph_in_dot, graph_page, mutants_page, theorems_page, with_numbered_results
 from records import InvalidRecord, Records
 from statement_page import statement_page
+from testing_page import testing_page
 
 ROOT = Path(__file__).resolve().parents[2]
 RECORDED = {"theorems/runs.json", "theorems/kills.json", "theorems/graph.svg"}
 
 
-def all_pages(statements, mutants, records):
+def all_pages(root, statements, mutants, records):
     """The texts of all pages, by their paths from docs/."""
     pages = {"../README.md": with_numbered_results(records.readme, statements, records.backing),
              "theorems.md": theorems_page(statements, mutants, records),
              "mutants.md": mutants_page(mutants, records.kills),
+             "testing.md": testing_page(root, statements, mutants, records),
              "theorems/graph.md": graph_page(statements, records.backing),
              "theorems/graph.dot": graph_in_dot(statements, records)}
     text_of = {text.id: text for text in records.texts}
@@ -90,14 +92,14 @@ def main(program, root, check):
     if wrong := defects_of_sources(statements, mutants, records, root):
         return wrong, 1
     try:
-        pages, drawn = all_pages(statements, mutants, records), pictures(records)
+        pages, drawn = all_pages(root, statements, mutants, records), pictures(records)
     except InvalidRecord as error:
         return [str(error)], 2
     if not check:
         write(pages, drawn, root / "docs")
         return [f"{len(pages)} files written"], 0
     if wrong := list(stale(pages, drawn, root / "docs")):
-        return [*wrong, "bash docs/renew writes the records, pages and drawings again"], 1
+        return [*wrong, "python3 -B properties/pages/pages.py writes the pages again, bash docs/renew also what they are made from"], 1
     return [f"{len(statements)} statements, {len(mutants)} mutants, {len(pages)} files up to date"], 0
 
 

@@ -123,6 +123,7 @@ class Records:
             self.texts = texts(root)
             self.citing = citing_pages(docs)
             self.readme = (root / "README.md").read_text(encoding="utf-8")
-            self.findings = headings_of((docs / "findings.md").read_text(encoding="utf-8"))
+            self.text_of_findings = (docs / "findings.md").read_text(encoding="utf-8")
+            self.findings = headings_of(self.text_of_findings)
         except (KeyError, TypeError, ValueError, OSError) as error:
             raise InvalidRecord(f"a record is not as expected: {error!r}") from error

@@ -4,7 +4,8 @@
 
 cost.py report: prints the costs; names each test of the default list above 60 s, fails on one above 180 s, and on
 a line of tests/everything.txt that names no test.
-cost.py append: adds what the last run cost to docs/cost.csv, as a row of the commit that is checked out."""
+cost.py append: adds what the last run cost to docs/cost.csv, as a row of the commit that is checked out, and writes
+what its tests of the default list cost by kind, which is the first word of their names, to docs/tests.csv."""
 
 import csv
 import json
@@ -73,13 +74,29 @@ def append(builds, tests, table):
         csv.writer(file, lineterminator="\n").writerow(row)
 
 
+def by_kind(tests, names, everything):
+    """Rows of docs/tests.csv: of the tests that were run, those of the default list; of all names, the others."""
+    default = [(seconds, name) for seconds, name in tests if is_default(name, everything)]
+    others = [name for name in names if not is_default(name, everything)]
+    kind_of = lambda name: re.match(r"\w+", name)[0]
+    for kind in sorted({kind_of(name) for _, name in default} | {kind_of(name) for name in others}):
+        costs = [seconds for seconds, name in default if kind_of(name) == kind]
+        yield [kind, len(costs), round(sum(costs)), sum(kind_of(name) == kind for name in others)]
+
+
+def write_kinds(rows, table):
+    with table.open("w", encoding="utf-8", newline="") as file:
+        csv.writer(file, lineterminator="\n").writerows([["kind", "default tests", "core-seconds", "other tests"], *rows])
+
+
 def main():
     builds, tests = (read(ROOT / "build/costs" / name) for name in ("builds", "tests"))
+    everything = [line for line in (ROOT / "tests/everything.txt").read_text(encoding="utf-8").splitlines()
+                  if not line.startswith("#")]
     if sys.argv[1:] == ["append"]:
         append(builds, tests, ROOT / "docs/cost.csv")
+        write_kinds(by_kind(tests, all_tests(), everything), ROOT / "docs/tests.csv")
     elif sys.argv[1:] == ["report"]:
-        everything = [line for line in (ROOT / "tests/everything.txt").read_text(encoding="utf-8").splitlines()
-                      if not line.startswith("#")]
         lines, accepted = report(builds, tests, everything)
         unknown = without_tests(everything, all_tests())
         print("\n".join(lines + unknown))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-from cost import append, read, report, without_tests
+from cost import append, by_kind, read, report, without_tests, write_kinds
 from fixture import TreeTest
 
 
@@ -27,3 +27,10 @@ class Cost(TreeTest):
         table = self.write("cost.csv", "header")
         append([(1.6, "check"), (2.2, "release")], [(1, "a"), (2.4, "b")], table)
         self.assertRegex(table.read_text(encoding="utf-8"), r"^header\n\d{4}-\d\d-\d\d \w+,\d+,\d+,2,2,3,2\n$")
+
+    def test_rows_by_kind(self):
+        rows = by_kind([(1.4, "a.x"), (1.2, "a/y"), (9, "b.z")], ["a.x", "a/y", "a.w", "b.z"], ["b\\..*", "a\\.w"])
+        table = self.root / "tests.csv"
+        write_kinds(rows, table)
+        self.assertEqual(table.read_text(encoding="utf-8"),
+                         "kind,default tests,core-seconds,other tests\na,2,3,1\nb,0,0,1\n")

@@ -36,6 +36,24 @@ Rests on: fact-a, fact-b
 """
 PAIR = {"p": "POLYGON ((0 0, 1 0, 0 1, 0 0))", "q": "POLYGON ((0 0, 2 0, 0 3, 0 0))"}
 PAGE = "theorems/lemma-9.9.9.md"
+# What docs/testing.md counts in, beside the records.
+COUNTED = {
+    "tests/a_test.cpp": "TEST(A, b) {}\nTEST_F(A, c) {}\n", "tests/a.py": "  def test_a(self):\n",
+    "tests/corpus/pairs.txt": "story: A.\n", "tests/corpus/named_placements.json": '"contact": ""',
+    "tests/properties/proofs/faults.py": '    ("a fault"', "properties/fuzz/CMakeLists.txt": "oplus_fuzz_target(wkt 3)",
+    "properties/fuzz/seeds/wkt/a": "", "docs/fuzz.md": "| `a-fault`: it is wrong |\n", "reference/a.hpp": "OPLUS_REQUIRES(a)",
+    "checked/a.cpp": " OPLUS_ENSURES(a)", "docs/examples/cpp/a.cpp": "", "docs/findings/a.cpp": "",
+    "tests/data/esicup/a.wkt": "", "tests/corpus/cases.json": '{"cases": [1, 2]}',
+    "docs/cost.csv": "version,lines of Coq,core-seconds of check,of release,of fuzz,of tests,number of tests\n"
+                     "today,2345,60,60,60,120,5\n",
+    "docs/tests.csv": "kind,default tests,core-seconds,other tests\nchecked,5,119,2\n",
+    "docs/scoreboard/runs.json": json.dumps({"sums": {"slide": {"sums": {"passed": 7}, "failures": {}},
+                                                      "clipper": {"failures": {"rounded": {}, "crashed": {}}}},
+                                             "parts": {"slide": {"sums": {"passed": 8}, "failures": {}},
+                                                       "clipper": {"failures": {"rounded": {}}}}}),
+    "properties/pages/testing.md": "{cpp_cases} cases, {coq_lines} lines, {contracts} contracts, {other_libraries} library, "
+                                   "{their_failures} kinds, {our_sums} sums, {false_in_ours} of ours\n{tests_by_kind}",
+}
 
 
 def statement(id, rests_on=()):
@@ -66,7 +84,10 @@ class Pages(unittest.TestCase):
                       "hypotheses": {"one": "x is positive"}, "conclusion": "x is not 0",
                       "answers": {"proof": {"z3": "unsat"}, "hypotheses": {"z3": "sat"}, "twin-one": {"z3": "sat"}},
                       "counterexamples": {"one": {"x": "0"}}}
-        self.write("docs/findings.md", "# Findings\n## Lemma 9.9.9: no edges\n")
+        for path, text in COUNTED.items():
+            self.write(path, text)
+        self.write("docs/findings.md", "# Findings\n## Lemma 9.9.9: no edges\n## Found in our own code\n\n"
+                   "| what was wrong | found by |\n|---|---|\n| a | b |\n| `c` | d |\n\n## The pictures\n| e | f |\n")
         for page in ("rca", "slide"):
             self.write(f"docs/{page}.md", "[lemma-9.9.9](theorems/lemma-9.9.9.md)\n")
         self.write("properties/proofs/edges.v", "Lemma edges_exist_not : True.\nProof. easy. Qed.\n\n"
@@ -79,7 +100,7 @@ class Pages(unittest.TestCase):
             self.write(f"docs/theorems/pictures/lemma-9.9.9-{picture}.svg", "")
         self.write("docs/theorems/graph.svg", '<g class="node">>lemma&#45;9.9.9</text>')
         self.write("README.md", "# Sums\n## 0 of 31 results\n## Install\n")
-        self.assertEqual(self.result(check=False), (["6 files written"], 0))
+        self.assertEqual(self.result(check=False), (["7 files written"], 0))
 
     def write(self, path, text):
         path = self.root / path
@@ -100,7 +121,7 @@ class Pages(unittest.TestCase):
         found, code = self.result()
         self.assertEqual(code, 1 if lines else 0, found)
         if lines:
-            self.assertEqual([line for line in found if not line.startswith("bash docs/renew")], list(lines))
+            self.assertEqual([line for line in found if not line.startswith("python3 -B ")], list(lines))
 
     def page(self):
         return (self.docs / PAGE).read_text(encoding="utf-8")
@@ -162,6 +183,29 @@ class Pages(unittest.TestCase):
         self.expect("../README.md: out of date")
         self.write("README.md", "# Sums\n")
         self.assertEqual(self.result(), (["README.md: no section '## N of M results', for the thesis's numbered results"], 2))
+
+    def test_testing_counts(self):
+        path = self.docs / "testing.md"
+        self.assertEqual(path.read_text(encoding="utf-8"),
+                         "2 cases, 2,345 lines, 2 contracts, 1 library, 2 kinds, 15 sums, 2 of ours\n"
+                         "| `checked` | unit tests of the algorithms and of the command line | 5 | 119 | 2 |\n")
+        self.write("tests/b_test.cpp", "TEST_P(A, d) {}\n")
+        self.expect("testing.md: out of date")
+
+    def test_testing_refuses_what_it_cannot_count(self):
+        def refused(path, text, what):
+            self.write(path, text)
+            self.assertEqual(self.result(), ([what], 2))
+            self.write(path, COUNTED[path])
+        refused("tests/corpus/pairs.txt", "", "docs/testing.md: nothing of pairs_with_a_story is in tests/corpus/pairs.txt")
+        refused("docs/tests.csv", COUNTED["docs/tests.csv"].replace("checked", "watched"),
+                "docs/tests.csv: properties/pages/testing_page.py does not say what watched is")
+        refused("properties/pages/testing.md", "{guesses}",
+                "docs/testing.md: a record is not as expected: KeyError('guesses')")
+        refused("docs/scoreboard/runs.json", COUNTED["docs/scoreboard/runs.json"].replace("{}}, ", '{"a": {}}}, ', 1),
+                "docs/testing.md: says that no sum of oplus is wrong, the scoreboard's record says otherwise")
+        (self.docs / "findings/a.cpp").unlink()
+        self.assertEqual(self.result(), (["docs/testing.md: there is no file docs/findings/*.cpp"], 2))
 
     def test_statement_without_a_mutant(self):
         self.first()["kills"] = []
