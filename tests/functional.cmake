@@ -104,6 +104,7 @@ add_test(NAME docs.scoreboard
 
 
 add_test(NAME tree.layering COMMAND ${tree_check}/layering.py)
+add_test(NAME tree.architecture COMMAND ${tree_check}/architecture.py)
 add_test(NAME tree.licence-lines COMMAND ${tree_check}/licence_lines.py)
 add_test(NAME tree.format COMMAND ${tree_check}/formatted.py)
 add_test(NAME tree.public-headers COMMAND ${tree_check}/public_headers.py)

@@ -134,12 +134,12 @@ def defects_of_records(statements, records):
             yield f"docs/{pages[0]}.md: links to {id}, but there is no such statement"
 
 
-def defects_of_drawing(dot, svg):
-    """Each node and each arrow of graph.dot is drawn in graph.svg, and nothing else."""
+def defects_of_drawing(dot, svg, name="theorems/graph"):
+    """Each node and each arrow of NAME.dot is drawn in NAME.svg, and nothing else."""
     nodes = re.findall(r'^\d+\[label="([^"]*)"', dot, re.M)
     arrows = re.findall(r"^(\d+)->(\d+)", dot, re.M)
     drawn = [f">{name.replace('-', '&#45;')}</text>" for name in nodes]
     drawn += [f"<title>{one}&#45;&gt;{other}</title>" for one, other in arrows]
     if (not all(what in svg for what in drawn) or
             (svg.count('class="node"'), svg.count('class="edge"')) != (len(nodes), len(arrows))):
-        yield "theorems/graph.svg: is not the drawing of theorems/graph.dot"
+        yield f"{name}.svg: is not the drawing of {name}.dot"
