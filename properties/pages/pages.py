@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Writes docs/theorems.md, docs/mutants.md and docs/theorems/: a page for each statement, and the graph of all; docs/testing.md;
-and in README the table of the thesis's numbered results.
+in README the table of the thesis's numbered results; and columns "in Coq" of tables in other pages.
 
 They are made from what `oplus-check theorems --json` prints and from what is recorded: docs/theorems/*.json and
 pictures/, which `oplus-maintain properties` and `mutants` write with --record, properties/proofs/theorems.json and
@@ -18,6 +18,7 @@ from index_pages import graph_in_dot, graph_page, mutants_page, theorems_page, w
 from records import InvalidRecord, Records
 from statement_page import statement_page
 from testing_page import testing_page
+from theorems_column import pages_with_theorems
 
 ROOT = Path(__file__).resolve().parents[2]
 RECORDED = {"theorems/runs.json", "theorems/kills.json", "theorems/graph.svg"}
@@ -31,6 +32,7 @@ def all_pages(root, statements, mutants, records):
              "testing.md": testing_page(root, statements, mutants, records),
              "theorems/graph.md": graph_page(statements, records.backing),
              "theorems/graph.dot": graph_in_dot(statements, records)}
+    pages |= pages_with_theorems(root / "docs", records.backing)
     text_of = {text.id: text for text in records.texts}
     for statement in statements:
         pages[f"theorems/{statement['statement']}.md"] = statement_page(

@@ -13,6 +13,7 @@ import links
 import pages
 import records
 import texts
+import theorems_column
 
 TEXT = """# lemma-9.9.9: Edges exist
 
@@ -180,7 +181,9 @@ class Pages(unittest.TestCase):
         self.assertTrue(text.startswith("# Sums\n## 0 of 1 results\n"), text)
         self.assertIn("\n| proved in part | 1 | [9.9.9](docs/theorems/lemma-9.9.9.md) |\n\n## Install\n", text)
         self.write("README.md", text.replace("in part | 1", "in part | 2"))
-        self.expect("../README.md: out of date")
+        self.write("docs/rca.md", "| statement | in Coq |\n|---|---|\n| [lemma-9.9.9](theorems/lemma-9.9.9.md) | yes |\n")
+        self.expect("../README.md: out of date", "rca.md: out of date")
+        self.result(check=False)
         self.write("README.md", "# Sums\n")
         self.assertEqual(self.result(), (["README.md: no section '## N of M results', for the thesis's numbered results"], 2))
 
@@ -332,6 +335,30 @@ class Strength(unittest.TestCase):
         backing.theorems = 2 * [{"statement": "a", "extent": "as printed"}]
         expect("machine-checked as printed, 2 theorems; proved by enumeration, 7 cases; sampled, 40 pairs")
         self.assertEqual(len(set(colours)), 6)
+
+
+class TheoremsColumn(unittest.TestCase):
+    ROW = "| 1 | [lemma-9.9.9](theorems/lemma-9.9.9.md) | edges exist | {} |"
+
+    def setUp(self):
+        self.backing = object.__new__(records.Backing)
+        self.backing.runs, self.backing.queries, self.backing.theorems = {"lemma-9.9.9": {"run": 40}}, [], []
+
+    def column(self):
+        page = "\n".join(["| step | statement | says | in Coq |", "|---|---|---|---|", self.ROW.format("old"), "", self.ROW.format("old")])
+        lines = theorems_column.with_theorems(page, self.backing).split("\n")
+        self.assertEqual(lines[-1], self.ROW.format("old"), "a row of another table")
+        before, _, after = self.ROW.partition("{}")
+        self.assertTrue(lines[2].startswith(before) and lines[2].endswith(after), lines[2])
+        return lines[2][len(before):-len(after)]
+
+    def test_names_the_theorems_that_prove_the_most(self):
+        self.assertEqual(self.column(), "no; sampled, 40 pairs")
+        theorem = lambda extent, name: {"statement": "lemma-9.9.9", "extent": extent, "theorem": name, "file": "a/b.v"}
+        self.backing.theorems = [theorem("in part", "a"), theorem("refuted and corrected", "b")]
+        self.assertEqual(self.column(), "refuted and corrected: [`b`](../properties/proofs/a/b.v)")
+        self.backing.theorems = [theorem("in part", name) for name in "abcde"]
+        self.assertEqual(self.column(), "in part: " + ", ".join(f"[`{name}`](../properties/proofs/a/b.v)" for name in "abc") + ", 2 more")
 
 
 class NumberedResults(unittest.TestCase):
