@@ -62,14 +62,16 @@ def all_tests():
     return [test["name"] for test in listed["tests"]]
 
 
-def lines_of(*suffixes):
+def found_in(pattern, *suffixes):
+    """How often the pattern matches in the files with these ends of names."""
     names = [name for name in git("ls-files").split("\n") if name.endswith(suffixes)]
-    return sum((ROOT / name).read_bytes().count(b"\n") for name in names)
+    return sum(len(re.findall(pattern, (ROOT / name).read_bytes())) for name in names)
 
 
 def append(builds, tests, table):
-    row = [git("log", "-1", "--format=%cs %h").strip(), lines_of(".cpp", ".hpp"), lines_of(".v"),
-           *(round(seconds) for seconds, _ in builds), round(sum(seconds for seconds, _ in tests)), len(tests)]
+    row = [git("log", "-1", "--format=%cs %h").strip(), found_in(b"\n", ".cpp", ".hpp"), found_in(b"\n", ".v"),
+           *(round(seconds) for seconds, _ in builds), round(sum(seconds for seconds, _ in tests)), len(tests),
+           found_in(rb"\nTEST(?:_F|_P)?\(", "_test.cpp"), found_in(rb"\n *def test_", ".py")]
     with table.open("a", encoding="utf-8", newline="") as file:
         csv.writer(file, lineterminator="\n").writerow(row)
 

@@ -39,14 +39,13 @@ PAIR = {"p": "POLYGON ((0 0, 1 0, 0 1, 0 0))", "q": "POLYGON ((0 0, 2 0, 0 3, 0 
 PAGE = "theorems/lemma-9.9.9.md"
 # What docs/testing.md counts in, beside the records.
 COUNTED = {
-    "tests/a_test.cpp": "TEST(A, b) {}\nTEST_F(A, c) {}\n", "tests/a.py": "  def test_a(self):\n",
     "tests/corpus/pairs.txt": "story: A.\n", "tests/corpus/named_placements.json": '"contact": ""',
     "tests/properties/proofs/faults.py": '    ("a fault"', "properties/fuzz/CMakeLists.txt": "oplus_fuzz_target(wkt 3)",
     "properties/fuzz/seeds/wkt/a": "", "docs/fuzz.md": "| `a-fault`: it is wrong |\n", "reference/a.hpp": "OPLUS_REQUIRES(a)",
     "checked/a.cpp": " OPLUS_ENSURES(a)", "docs/examples/cpp/a.cpp": "", "docs/findings/a.cpp": "",
     "tests/data/esicup/a.wkt": "", "tests/corpus/cases.json": '{"cases": [1, 2]}',
-    "docs/cost.csv": "version,lines of Coq,core-seconds of check,of release,of fuzz,of tests,number of tests\n"
-                     "today,2345,60,60,60,120,5\n",
+    "docs/cost.csv": "version,lines of Coq,core-seconds of check,of release,of fuzz,of tests,number of tests,cases in C++,in Python\n"
+                     "today,2345,60,60,60,120,5,2,1\n",
     "docs/tests.csv": "kind,default tests,core-seconds,other tests\nchecked,5,119,2\n",
     "docs/scoreboard/runs.json": json.dumps({"sums": {"slide": {"sums": {"passed": 7}, "failures": {}},
                                                       "clipper": {"failures": {"rounded": {}, "crashed": {}}}},
@@ -192,7 +191,7 @@ class Pages(unittest.TestCase):
         self.assertEqual(path.read_text(encoding="utf-8"),
                          "2 cases, 2,345 lines, 2 contracts, 1 library, 2 kinds, 15 sums, 2 of ours\n"
                          "| `checked` | unit tests of the algorithms and of the command line | 5 | 119 | 2 |\n")
-        self.write("tests/b_test.cpp", "TEST_P(A, d) {}\n")
+        self.write("checked/a.cpp", "OPLUS_ENSURES(a)\n OPLUS_REQUIRES(b)")
         self.expect("testing.md: out of date")
 
     def test_testing_refuses_what_it_cannot_count(self):
