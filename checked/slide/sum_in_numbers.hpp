@@ -24,6 +24,8 @@
 
 namespace oplus::slide {
 
+/// The steps of docs/slide.md after the segments: what no pair of edges blocks (3 to 5); these pieces, their ends
+/// numbered, cut and stitched to chains, whose points become rationals again (6); of open sums also what has no area (7).
 template <typename Numbers>
 ComputedSum sum_of(ReducedSegments<Numbers>& segments, const Scaling& scaling, Boundary boundary,
                    const EngineOptions& options) {
