@@ -135,11 +135,13 @@ def defects_of_records(statements, records):
 
 
 def defects_of_drawing(dot, svg, name="theorems/graph"):
-    """Each node and each arrow of NAME.dot is drawn in NAME.svg, and nothing else."""
+    """Each node, in its colour, and each arrow of NAME.dot is drawn in NAME.svg, and nothing else."""
     nodes = re.findall(r'^\d+\[label="([^"]*)"', dot, re.M)
     arrows = re.findall(r"^(\d+)->(\d+)", dot, re.M)
     drawn = [f">{name.replace('-', '&#45;')}</text>" for name in nodes]
     drawn += [f"<title>{one}&#45;&gt;{other}</title>" for one, other in arrows]
+    colours = re.findall(r'^(\d+)\[.*fillcolor="([^"]*)"', dot, re.M)
     if (not all(what in svg for what in drawn) or
+            not set(colours) <= set(re.findall(r'class="node">\s*<title>(\d+)</title>.*?fill="([^"]*)"', svg, re.S)) or
             (svg.count('class="node"'), svg.count('class="edge"')) != (len(nodes), len(arrows))):
         yield f"{name}.svg: is not the drawing of {name}.dot"

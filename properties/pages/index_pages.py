@@ -87,7 +87,7 @@ def graph_page(statements, backing):
     return ("# The graph of statements\nAn arrow leads from a [statement](../theorems.md) to one that it rests on. "
             "The colour of a node is the strongest way in which the statement is backed, the number how many are:\n\n" +
             "".join(f"- {colour}: {name}, {colours.count(fill)}\n" for name, fill, colour in LOOKS) +
-            "\nAll are stated in C++, too.\n"
+            "\nA dark border: a numbered result of the thesis. All are stated in C++, too.\n"
             "\n![The graph of statements](graph.svg)\n\n"
             "Generated from the sources by `properties/pages/pages.py`.\n")
 
@@ -100,7 +100,8 @@ def graph_in_dot(statements, records):
             'node [shape=box, style="filled,rounded", fontname="sans-serif", fontsize=10, fixedsize=true, '
             'width=1.7, height=0.28, color="#8898aa"];\nedge [color="#8898aa", arrowsize=0.6];\n')
     for id, i in number.items():
+        border = ', color="#33475b", penwidth=2' if id.partition("-")[0] in NUMBERED else ""
         text += (f'{i}[label="{id}", URL="{id}.md", tooltip="{statements[i]["title"]}", '
-                 f'fillcolor="{records.backing.colour(id)}"];\n')
+                 f'fillcolor="{records.backing.colour(id)}"{border}];\n')
     return text + "".join(f"{i}->{number[below]} ;\n" for i, statement in enumerate(statements)
                           for below in statement["rests_on"]) + "}\n"

@@ -98,9 +98,13 @@ class Pages(unittest.TestCase):
         self.write("properties/statements/chapter9/lemma_9_9_9.cpp", "")
         for picture in ("typical", "shrunk"):
             self.write(f"docs/theorems/pictures/lemma-9.9.9-{picture}.svg", "")
-        self.write("docs/theorems/graph.svg", '<g class="node">>lemma&#45;9.9.9</text>')
+        self.draw()
         self.write("README.md", "# Sums\n## 0 of 31 results\n## Install\n")
         self.assertEqual(self.result(check=False), (["7 files written"], 0))
+
+    def draw(self, colour="#bfe3b4"):
+        self.write("docs/theorems/graph.svg",
+                   f'<g class="node">\n<title>0</title><path fill="{colour}"/>>lemma&#45;9.9.9</text>')
 
     def write(self, path, text):
         path = self.root / path
@@ -157,8 +161,11 @@ class Pages(unittest.TestCase):
         change(lambda: self.kill.update(cases=6), "mutants.md", PAGE)
         change(lambda: self.query["counterexamples"]["one"].update(x="-1"), PAGE)
         self.write("properties/proofs/as_printed/lemma.v", "Theorem edges_exist (a : nat) :\n  a = a.\nProof. easy. Qed.\n")
+        self.draw("#7cc26a")
         change(lambda: self.theorem.update(extent="as printed", file="as_printed/lemma.v"), "../README.md",
                "theorems.md", "theorems/graph.md", "theorems/graph.dot", PAGE)
+        self.expect("theorems/graph.svg: is not the drawing of theorems/graph.dot")
+        self.draw()
         self.write("properties/proofs/over_the_reals/rational_only", "edges: computed\n")
         change(lambda: None, PAGE)  # over both numbers
         (self.docs / "rca.md").write_text("")
