@@ -11,6 +11,7 @@ MATCHES = {
     "pairs_with_a_story": ("tests/corpus/pairs.txt", r"^story: "),
     "placements": ("tests/corpus/named_placements.json", r'"contact": '),
     "faults_in_coq": ("tests/properties/proofs/faults.py", r'^    \("'),
+    "commands": ("docs/*.md", r"^    (?:\$ )?(?:build/release/bin/)?oplus(?:-check|-proved|-peer|-maintain)? "),
     "faults_by_fuzzing": ("docs/fuzz.md", r"^\| `[a-z-]+`: "),
     "fuzz_targets": ("properties/fuzz/CMakeLists.txt", r"^oplus_fuzz_target\(\w+ \d+\)"),
     "contracts_reference": ("reference/**/*.[ch]pp", r"^ *OPLUS_(?:REQUIRES|ENSURES)\("),

@@ -21,7 +21,7 @@ README = (ROOT / "README.md").read_text(encoding="utf-8")
 # Lines that are typed; those after one that starts with $ are what it prints.
 COMMAND = re.compile(r"(?<=\n    )(?:(\$ )|(?=oplus(?:-proved)? ))(.*?)(?: +# *(.*))?\n(?(1)((?:    (?!\$ ).*\n)*))")
 SHOWN = re.compile(r"\n```\n(.*?\n)```\n", re.DOTALL)
-COMPARING = re.compile(r"(?<=\n    )(oplus-check .*?)(?: +#.*)?(?=\n)")
+COMPARING = re.compile(r"(?<=\n    )(?:build/release/bin/)?(oplus-(?:check|peer|maintain) .*?)(?: +#.*)?(?=\n)")
 # What is not run, and why.
 NOT_RUN = {
     "for f in data/records/*.svg; do oplus layout $f; done": "the data is not here",
@@ -29,6 +29,9 @@ NOT_RUN = {
     "oplus-check diff --judge winding-numbers --engine slide --cases 45455 --seed 2": "an older version's",
     "oplus-check conformance --engine 'exec:./own_program {p} {q}' --report own.xml": "conformance.own-program does",
     "oplus-check conformance --engine 'exec:oplus-peer-newest clipper2 {p} {q}'": "newest.peer does",
+    "oplus-check smt": "proofs.smt does",
+    "oplus-check smt table-4.3-to-4.6 --write questions": "smt_command_test writes those of another one",
+    "oplus-maintain fuzz slide --seconds 600": "fuzz.slide runs the target",
 }
 # Columns of README's table, and what they are called in that of the ratios in docs/benchmarks.md.
 PEERS = {"the faster CGAL, exact": "exact peer", "Clipper2, which rounds": "clipper2"}
@@ -97,7 +100,7 @@ class Pages(unittest.TestCase):
                             "docs/pictures/room_and_diamond.svg is out of date")
 
     def test_compare(self):
-        """The commands of oplus-check, with few cases."""
+        """The commands of the other programs, with few cases."""
         commands = {command: name for name, page in PAGES.items() for command in COMPARING.findall(page)
                     if not re.search("…|ENGINE|FILE", command)}
         self.assertGreater(len(commands), 15)
@@ -105,6 +108,7 @@ class Pages(unittest.TestCase):
             mine = Path(folder) / "my-sum"
             mine.write_text('#!/bin/sh\nexec oplus --quiet sum "$1" "$2"\n')
             mine.chmod(0o755)
+            (Path(folder) / "parts.wkt").write_text("POLYGON((0 0,2 0,0 2,0 0))\nPOLYGON((0 0,1 0,0 1,0 0))\n")
             environment = os.environ | {"PATH": f"{PROGRAM.parent}:{folder}:{os.environ['PATH']}"}
             for command, name in commands.items():
                 if command in NOT_RUN:

@@ -41,7 +41,7 @@ PAGE = "theorems/lemma-9.9.9.md"
 COUNTED = {
     "tests/corpus/pairs.txt": "story: A.\n", "tests/corpus/named_placements.json": '"contact": ""',
     "tests/properties/proofs/faults.py": '    ("a fault"', "properties/fuzz/CMakeLists.txt": "oplus_fuzz_target(wkt 3)",
-    "properties/fuzz/seeds/wkt/a": "", "docs/fuzz.md": "| `a-fault`: it is wrong |\n", "reference/a.hpp": "OPLUS_REQUIRES(a)",
+    "properties/fuzz/seeds/wkt/a": "", "docs/fuzz.md": "| `a-fault`: it is wrong |\n    oplus a\n", "reference/a.hpp": "OPLUS_REQUIRES(a)",
     "checked/a.cpp": " OPLUS_ENSURES(a)", "docs/examples/cpp/a.cpp": "", "docs/findings/a.cpp": "",
     "tests/data/esicup/a.wkt": "", "tests/corpus/cases.json": '{"cases": [1, 2]}',
     "docs/cost.csv": "version,lines of Coq,core-seconds of check,of release,of fuzz,of tests,number of tests,cases in C++,in Python\n"
