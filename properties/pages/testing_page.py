@@ -86,9 +86,11 @@ def tests_by_kind(records):
     return text
 
 
-def own_findings(findings):
+def own_findings(findings, link=""):
+    """How many rows of the table of faults in our own code have this link."""
     section = re.search(r"^## Found in our own code$(.*?)^## ", findings, re.M | re.S)
-    return len(re.findall(r"^\| (?!what )[^-|]", section[1] if section else "", re.M))
+    rows = re.findall(r"^\| (?!what ).*", section[1] if section else "", re.M)
+    return sum(link in row for row in rows)
 
 
 def failures(scoreboard):
@@ -117,7 +119,9 @@ def figures(root, statements, mutants, records):
         "theorems": len(records.theorems), "queries": len(records.queries),
         "cases": len(read(root / "tests/corpus/cases.json")["cases"]),
         "contracts": found["contracts_reference"] + found["contracts_checked"],
-        "false_in_ours": own_findings(records.text_of_findings), "other_libraries": others, "their_failures": kinds,
+        "false_in_ours": own_findings(records.text_of_findings),
+        "ours_by_properties": own_findings(records.text_of_findings, "](theorems/"),
+        "ours_by_fuzzing": own_findings(records.text_of_findings, "](fuzz.md)"), "other_libraries": others, "their_failures": kinds,
         "our_sums": ours, "version": costs["version"], "coq_lines": int(costs["lines of Coq"]),
         "cpp_cases": int(costs["cases in C++"]), "python_cases": int(costs["in Python"]),
         "build_minutes": round(builds / 60),

@@ -52,7 +52,7 @@ COUNTED = {
                                              "parts": {"slide": {"sums": {"passed": 8}, "failures": {}},
                                                        "clipper": {"failures": {"rounded": {}}}}}),
     "properties/pages/testing.md": "{cpp_cases} cases, {coq_lines} lines, {contracts} contracts, {other_libraries} library, "
-                                   "{their_failures} kinds, {our_sums} sums, {false_in_ours} of ours\n{tests_by_kind}",
+                                   "{their_failures} kinds, {our_sums} sums, {false_in_ours} of ours, {ours_by_fuzzing} by fuzzing\n{tests_by_kind}",
 }
 
 
@@ -87,7 +87,7 @@ class Pages(unittest.TestCase):
         for path, text in COUNTED.items():
             self.write(path, text)
         self.write("docs/findings.md", "# Findings\n## Lemma 9.9.9: no edges\n## Found in our own code\n\n"
-                   "| what was wrong | found by |\n|---|---|\n| a | b |\n| `c` | d |\n\n## The pictures\n| e | f |\n")
+                   "| what was wrong | found by |\n|---|---|\n| a | b |\n| `c` | [d](fuzz.md) |\n\n## The pictures\n| e | f |\n")
         for page in ("rca", "slide"):
             self.write(f"docs/{page}.md", "[lemma-9.9.9](theorems/lemma-9.9.9.md)\n")
         self.write("properties/proofs/edges.v", "Lemma edges_exist_not : True.\nProof. easy. Qed.\n\n"
@@ -196,7 +196,7 @@ class Pages(unittest.TestCase):
     def test_testing_counts(self):
         path = self.docs / "testing.md"
         self.assertEqual(path.read_text(encoding="utf-8"),
-                         "2 cases, 2,345 lines, 2 contracts, 1 library, 2 kinds, 15 sums, 2 of ours\n"
+                         "2 cases, 2,345 lines, 2 contracts, 1 library, 2 kinds, 15 sums, 2 of ours, 1 by fuzzing\n"
                          "| `checked` | unit tests of the algorithms and of the command line | 5 | 119 | 2 |\n")
         self.write("checked/a.cpp", "OPLUS_ENSURES(a)\n OPLUS_REQUIRES(b)")
         self.expect("testing.md: out of date")
