@@ -42,4 +42,4 @@ pygments_dark_style = "monokai"
 
 # Names of other libraries, and parts of declarations that are no names of ours.
 nitpick_ignore_regex = [("cpp:identifier", "oplus|(CGAL|boost|std)(::.*)?|[A-Z]|mpq_class|State|Engine|known"),
-                        ("py:class", "numpy.*|.*Like|Any")]
+                        ("py:class", "numpy.*|fractions.*|.*Like|Any")]
