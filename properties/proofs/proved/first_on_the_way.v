@@ -79,9 +79,11 @@ Section Way.
       assert (no_start' : forall g, 0 <= g <= 1 -> (1 - g) * k + g * l == 0 -> False).
       { intros g g_range zero_. apply no_start. split; [lra |]. exists g. split; [exact g_range |].
         unfold at_, moved_along. cbn [vx vy]. rewrite sx, sy, tx, ty. split.
-        - setoid_replace ((1 - g) * (vx a + k * vx u) + g * (vx a + l * vx u)) with (vx a + ((1 - g) * k + g * l) * vx u)
+        - setoid_replace ((1 - g) * (vx a + k * vx u) + g * (vx a + l * vx u)) with (vx a + ((1 - g) * k + g * l) * vx
+          u)
             by ring. rewrite zero_. ring.
-        - setoid_replace ((1 - g) * (vy a + k * vy u) + g * (vy a + l * vy u)) with (vy a + ((1 - g) * k + g * l) * vy u)
+        - setoid_replace ((1 - g) * (vy a + k * vy u) + g * (vy a + l * vy u)) with (vy a + ((1 - g) * k + g * l) * vy
+          u)
             by ring. rewrite zero_. ring. }
       destruct (Qlt_le_dec j k) as [later | earlier].
       + assert (less : l <= j)
@@ -102,7 +104,8 @@ Section Way.
           unfold at_, moved_along. cbn [vx vy]. rewrite sx, sy. split; ring.
     - set (k := cross (minus (source t) a) (along t) / cross u (along t)).
       assert (k_is : k == j).
-      { apply (Qmult_inj_r _ _ _ turn). unfold k. transitivity (cross (minus (source t) a) (along t)); [field; exact turn |].
+      { apply (Qmult_inj_r _ _ _ turn). unfold k. transitivity (cross (minus (source t) a) (along t)); [field;
+        exact turn |].
         assert (sx : vx (source t) == vx a + j * vx u - h * vx (along t))
           by (unfold along, minus; cbn [vx]; rewrite X; ring).
         assert (sy : vy (source t) == vy a + j * vy u - h * vy (along t))

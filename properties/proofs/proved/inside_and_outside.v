@@ -76,7 +76,8 @@ Section Segments.
     set (u := Vector _ _) in avoided.
     destruct (ray_meets_one_first z u segments k 1) as (s & far & part & S & far_some & low & high & turn & there &
       nothing); trivial; [| lra | |].
-    { intros s S. unfold avoids, side_of. split; apply avoided, in_flat_map; exists s; (split; [exact S | cbn; tauto]). }
+    { intros s S. unfold avoids, side_of. split; apply avoided, in_flat_map; exists s; (split; [exact S | cbn;
+      tauto]). }
     { exists t. unfold moved_along, u, minus. cbn [vx vy]. repeat split; try lra; ring. }
     set (w := moved_along z u far) in *.
     assert (inside_ : strictly_inside w s).
@@ -91,7 +92,8 @@ Section Segments.
       - apply connected_by_a_step. intros p (h & _ & X & Y). apply (off_equal z); [| exact z_free].
         destruct z_is as [zx zy]. cbn [source target] in X, Y. rewrite zx in X. rewrite zy in Y.
         split; [rewrite X | rewrite Y]; ring.
-      - apply one_comes_to_the_segment; trivial. intros other p O on on_other. apply (nothing other p O); [| exact on_other].
+      - apply one_comes_to_the_segment; trivial. intros other p O on on_other. apply (nothing other p O);
+        [| exact on_other].
         destruct on as (h & h_range & X & Y), z_is as [zx zy]. exists h. cbn [source target] in *.
         rewrite zx in X. rewrite zy in Y. split; [assumption | now split]. }
     destruct (Q_dec (cross (along s) (opposite u)) 0) as [[right_ | left_'] | none].
@@ -125,7 +127,8 @@ Section OnePolygon.
     - intros e f w E F other on inside_. destruct (edges_of_one c e E) as (i & I & -> & _).
       destruct (edges_of_one c f F) as (j & J & -> & _).
       apply other. f_equal. exact (inside_one_edge c polygon i j w I J inside_ on).
-    - assert (number : forall e v, In e boundary -> v = source e \/ v = target e -> exists i, (i < n)%nat /\ v = vertex c i).
+    - assert (number : forall e v, In e boundary -> v = source e \/ v = target e -> exists i, (i < n)%nat /\ v =
+      vertex c i).
       { intros e v E end_. destruct (edges_of_one c e E) as (i & I & _ & source_is & target_is).
         destruct end_ as [-> | ->]; [exists i; now split | exists (next i n)].
         split; [now apply next_in_range | exact target_is]. }
@@ -177,13 +180,15 @@ Section OnePolygon.
     assert (F : In (edge_at c j) boundary) by (apply edge_at_in_region; [now left | exact I']).
     destruct polygon as [chain_simple _].
     (* the rays of vertex j *)
-    assert (ray : forall s, directed boundary s -> source s = vertex c j -> s = edge_at c j \/ s = reversed (edge_at c i)).
+    assert (ray : forall s, directed boundary s -> source s = vertex c j -> s = edge_at c j \/ s = reversed (edge_at c
+      i)).
     { intros s [S | S] starts.
       - destruct (edges_of_one c s S) as (k & K & -> & source_is & _). left. f_equal. rewrite starts in source_is.
         destruct (Nat.eq_dec k j) as [| other]; [assumption |].
         destruct (vertices_differ c k j chain_simple K I' other). now rewrite source_is.
       - destruct (edges_of_one c _ S) as (k & K & s_is & _ & target_is). right.
-        rewrite <- (reversed_twice s), s_is. do 2 f_equal. cbn [reversed target] in target_is. rewrite starts in target_is.
+        rewrite <- (reversed_twice s), s_is. do 2 f_equal. cbn [reversed target] in target_is.
+          rewrite starts in target_is.
         pose proof (next_in_range k n K) as K'. fold n in target_is.
         destruct (Nat.eq_dec (next k n) j) as [same_ | other].
         + rewrite <- (previous_next k n K), same_. now apply previous_next.
@@ -215,11 +220,13 @@ Section OnePolygon.
         cbn [source target] in *. split; [rewrite X | rewrite Y]; ring. }
       assert (D : directed boundary (edge_at c 0)) by (left; apply edge_at_in_region; [now left | exact I]).
       split; apply itself; apply nothing_just_right; try apply half_way_is; try lra;
-        first [apply (directed_is_long boundary parts) | apply (met_by_itself_only boundary parts); [apply incl_refl |]];
+        first [apply (directed_is_long boundary parts) | apply (met_by_itself_only boundary parts);
+          [apply incl_refl |]];
         trivial; now apply directed_reversed.
     - destruct IH as [outside_ inside_]; [lia |]. destruct (around_the_polygon i) as [next_ next_']; [lia |].
       assert (follows : next i n = S i) by (unfold next; destruct (Nat.eqb_spec (S i) n); lia).
-      rewrite follows in *. split; [exact (connected_on _ _ _ _ outside_ next_) | exact (connected_on _ _ _ _ next_' inside_)].
+      rewrite follows in *. split; [exact (connected_on _ _ _ _ outside_ next_) | exact (connected_on _ _ _ _ next_'
+        inside_)].
   Qed.
 
   (* Theorem. *)
@@ -233,7 +240,8 @@ Section OnePolygon.
       (winding_number v boundary = 0%Z /\ connected_in off_it v (beside (edge_at c i)) \/
        winding_number v boundary = 1%Z /\ connected_in off_it v (beside (reversed (edge_at c i))))).
     { intros v free. destruct (connected_with_beside boundary parts v some free) as (s & S & there).
-      pose proof (connected_points_have_one_number boundary off_it _ _ (region_cycles _) (fun z no => no) there) as number.
+      pose proof (connected_points_have_one_number boundary off_it _ _ (region_cycles _) (fun z no => no) there) as
+        number.
       destruct S as [S | S]; destruct (edges_of_one c _ S) as (i & I & s_is & _); exists i; (split; [exact I |]).
       - left. rewrite <- s_is. split; [| exact there]. rewrite number. exact (proj1 (number_beside_an_edge s S)).
       - right. rewrite <- s_is, reversed_twice. split; [| exact there]. rewrite number, <- (reversed_twice s) at 1.

@@ -5,7 +5,8 @@
    chain goes round what is on its left, counterclockwise. *)
 From Coq Require Import QArith Qminmax Lqa ZArith Lia Bool List Permutation.
 From Oplus Require Import regions_and_sums small_numbers simple_chain simple_chains_turn_once
-  winding_numbers_of_simple_chains edges_of_valid_regions left_of_an_edge interiors_meet inside_a_corner complement_in_a_frame
+  winding_numbers_of_simple_chains edges_of_valid_regions left_of_an_edge interiors_meet inside_a_corner
+    complement_in_a_frame
   polygons_of_the_thesis connected_sets naive_collision collision_is_sound met_pieces beside_a_piece filling
   kept_pieces_go_round cut_pieces rule_of_sides region_of_pieces valid_regions_are_accepted edges_of_polygons
   just_right_of_a_piece edges_of_the_intersection connected_beside_pieces inside_and_outside.
@@ -29,7 +30,8 @@ Proof.
     pose proof (Q.le_max_r (vx (source s)) (vx (target s)) : _ <= ends).
     pose proof (mixed_is_less k (vx (source s)) (vx (target s)) (vx z) range ltac:(lra) ltac:(lra)). lra. }
   exists (Qmax limit most). intros z far. pose proof (Q.le_max_l limit most). pose proof (Q.le_max_r limit most).
-  split; [apply free; lra |]. assert (all : forall s, In s l -> signed_crossing z s = 0%Z) by (intros; apply none; lra || trivial).
+  split; [apply free; lra |]. assert (all : forall s, In s l -> signed_crossing z s = 0%Z) by (intros; apply none;
+    lra || trivial).
   clear - all. induction l as [| s l IH]; [reflexivity |].
   change (s :: l) with ([s] ++ l). rewrite winding_number_is_additive, IH by (intros; apply all; now right).
   unfold winding_number, sum. cbn. rewrite (all s) by now left. reflexivity.
@@ -47,7 +49,8 @@ Proof.
     intros w (h & range' & X' & Y'). apply free. destruct on as (k & range & X & Y). cbn [source target] in *.
     exists (h * k). cbn [source target]. split; [split; nra |]. rewrite X', Y', X, Y. split; ring. }
   induction path as [| c rest IH]; intros a walk; [exact (step a b walk) |]. destruct walk as [first_ walk].
-  split; [exact (step a c first_) |]. rewrite <- (proj2 (step a c first_ c (target_lies_on (Segment a c)))). now apply IH.
+  split; [exact (step a c first_) |]. rewrite <- (proj2 (step a c first_ c (target_lies_on (Segment a c)))).
+    now apply IH.
 Qed.
 
 Section TwoPolygons.
@@ -80,7 +83,8 @@ Section TwoPolygons.
     - destruct (free s S (part_lies_on f s v part on)).
     - destruct (inside_other (middle f) (middle_is_inside f)) as [_ some].
       pose proof (winding_number_along (Segment v (middle f)) (region_edges [c]) (region_cycles [c])) as same_.
-      cbn [source target] in same_. rewrite same_; [exact some |]. intros w on_w. destruct (from_an_end_to_the_middle v w f on on_w) as [equal | inside_].
+      cbn [source target] in same_. rewrite same_; [exact some |]. intros w on_w.
+        destruct (from_an_end_to_the_middle v w f on on_w) as [equal | inside_].
       + apply (off_equal v); [now symmetry | exact free].
       + apply inside_other, inside_.
   Qed.
@@ -114,7 +118,8 @@ Section TwoPolygons.
     assert (only : met_only_along (concat (two_families a b)) e).
     { destruct D as [D | D]; [| rewrite <- (reversed_twice e); apply met_only_along_reversed];
         exact (pieces_are_met_along _ _ (pieces_are_pieces _ all_long) _ D). }
-    destruct (right_half_is_free (concat (two_families a b)) e only (middle e) (middle_is_inside e)) as (radius & R & free).
+    destruct (right_half_is_free (concat (two_families a b)) e only (middle e) (middle_is_inside e)) as (radius & R &
+      free).
     exists radius. split; [exact R |]. intros y close right_.
     (* all such points are not in both, since the closest are not *)
     set (n := to_the_right e).
@@ -124,8 +129,8 @@ Section TwoPolygons.
     assert (right_z : area e z < 0).
     { apply right_of_a_step; trivial. apply strictly_inside_lies_on, middle_is_inside. }
     assert (free' : forall w, lies_on w (Segment y z) -> off w (concat (two_families a b))).
-    { intros w on. apply free; [exact (within_along radius (middle e) y z w close close' on) | exact (area_between e y z w right_
-        right_z on)]. }
+    { intros w on. apply free; [exact (within_along radius (middle e) y z w close close' on) |
+      exact (area_between e y z w right_ right_z on)]. }
     assert (off_one : forall c o w, one_and_other a b c o -> lies_on w (Segment y z) -> off w (region_edges [c])).
     { intros c o w pair_ on s S. apply (free' w on), segments_of_both. now exists c, o. }
     assert (same_ : forall c o, one_and_other a b c o ->
@@ -147,9 +152,11 @@ Section TwoPolygons.
     is_counterclockwise c = true.
   Proof.
     intros chain_simple part. pose proof chain_simple as (three & long & _).
-    set (e := edge_at c 0). assert (E : In e (edges c)) by (unfold e, edge_at; apply nth_In; rewrite edges_are_as_many; lia).
+    set (e := edge_at c 0). assert (E : In e (edges c)) by (unfold e, edge_at; apply nth_In;
+      rewrite edges_are_as_many; lia).
     pose proof (part e E) as K. pose proof (are_long _ share e K) as e_long. pose proof (middle_is_inside e) as inside_.
-    set (n := Vector (- vy (along e)) (vx (along e))). pose proof (left_normal e e_long : 0 < cross (along e) n) as turn.
+    set (n := Vector (- vy (along e)) (vx (along e))). pose proof (left_normal e e_long : 0 < cross (along e) n) as
+      turn.
     assert (meet : edges_meet_in_vertices [c]).
     { apply edges_meet_by_pairs. rewrite one_chain. apply edges_of_one_chain; [exact chain_simple | apply incl_refl]. }
     assert (no_vertex : ~ is_vertex (middle e) [c]).
