@@ -4,8 +4,8 @@
    sum. P is a square with a triangular hole, Q the triangle that, reflected, just fits into the hole, at x = (0, 0):
    there they only touch, and (0, 0) is a vertex of a false loop. What holds is said of points inside edges: none of
    them is on the boundary of the sum, all are inner points of it. For if one edge of a loop is on the boundary, so are
-   all that follow (Observation 3.2.4), and that is all of the loop. And P and -Q + x collide there, unless x is one of
-   the finitely many sums of two vertices, or the edge runs along another one of the opposite direction, where the sum
+   all that follow (Observation 3.2.4), and that is all of the loop. And P and -Q + x collide there, sums of two vertices
+   included (segments_left_of_a_step.v), unless the edge runs along another one of the opposite direction, where the sum
    of the open polygons can have a dangling edge (Theorem 3.2.8). *)
 From Coq Require Import QArith Lqa ZArith Lia Bool List Permutation.
 From Oplus Require Import regions_and_sums simple_chain simple_chains_turn_once simple_polygons valid_components
@@ -13,6 +13,7 @@ From Oplus Require Import regions_and_sums simple_chain simple_chains_turn_once 
   boundary_points reduced_convolution edges_at_a_point fans_that_touch reduced_edges_that_pass
   segments_beside_the_open_sum angle filling pieces met_pieces cut_pieces beside_a_piece naive_collision
   collision_is_sound collision_is_complete placed_collision checked_collision beside_a_vertex kept_pieces_go_round
+  chains_that_do_not_cross segments_left_of_a_step
   rule_of_sides sum_is_right loops_of_the_boundary algorithm_1 what_algorithm_1_traces arranged_convolution
   arrangement_of_the_convolution polygons_of_the_thesis drawn_regions.
 Import ListNotations.
@@ -145,16 +146,14 @@ Section Corrected.
   Hypothesis false_ : is_false_loop p q segments loop.
 
   (* What covers a point inside an edge is along it. *)
-  Lemma covering_is_parallel (e s : segment) (x d : vector) : In e loop -> strictly_inside x e ->
-    In s (reduced_convolution p q) -> lies_on x s -> same_direction (along s) d -> cross (along e) d == 0.
+  Lemma covering_is_parallel (e s : segment) (x : vector) : In e loop -> strictly_inside x e ->
+    In s segments -> lies_on x s -> cross (along e) (along s) == 0.
   Proof.
-    intros E inside_ S on (a & some & X & Y). apply reduced_is_part_of_the_convolution in S.
+    intros E inside_ S on.
     destruct (edges_of_false_loops segments convolution_ loop false_ e E) as [listed _].
     pose proof (arrangement_is_directed p q p_region q_region segments convolution_ e listed) as D.
     pose proof (pieces_meet_along p q p_region q_region segments convolution_ e D) as only.
-    destruct (only x s inside_ S on) as [from to]. apply (Qmult_inj_l _ _ a); [lra |].
-    transitivity (cross (along e) (along s)); [unfold cross; rewrite X, Y; ring |].
-    in_coordinates. lra.
+    destruct (only x s inside_ S on) as [from to]. in_coordinates. lra.
   Qed.
 
   (* Beside it P and -Q + x collide. *)
@@ -172,10 +171,10 @@ Section Corrected.
   Qed.
 
   Lemma collide_inside_edges (e : segment) (x : vector) : nowhere_above_one p -> nowhere_above_one q ->
-    In e loop -> strictly_inside x e -> ~ In (reversed e) arrangement ->
-    (forall w u, is_vertex w p -> is_vertex u q -> ~ equal_vectors x (plus w u)) -> interiors_meet x p q.
+    chains_do_not_cross p -> chains_do_not_cross q ->
+    In e loop -> strictly_inside x e -> ~ In (reversed e) arrangement -> interiors_meet x p q.
   Proof.
-    intros p_simple q_simple E inside_ none_back no_vertices.
+    intros p_simple q_simple p_crosses_nowhere q_crosses_nowhere E inside_ none_back.
     pose proof (collide_decides_whether_interiors_meet p q x p_region q_region p_simple q_simple) as decides.
     destruct (collide p (placed x q)); [now apply decides | exfalso].
     assert (outside : ~ interiors_meet x p q) by (intros meet; now apply decides in meet). clear decides.
@@ -185,49 +184,32 @@ Section Corrected.
     set (n := Vector (vy (along e)) (- vx (along e))).
     assert (right_ : cross (along e) n < 0).
     { pose proof (left_normal e long). unfold n, cross in *. cbn [vx vy] in *. lra. }
-    assert (none_meet : forall w u, is_vertex w p -> is_vertex u q -> equal_vectors x (plus w u) ->
-      alone w p /\ alone u q)
-      by (intros w u W U is_; now destruct (no_vertices w u W U)).
-    assert (aside : forall f, nonzero (along f) -> reduced_along p q x (along f) -> ~ cross (along f) n == 0).
-    { intros f long_f (s & S & on & same_) flat. pose proof (covering_is_parallel e s x _ E inside_ S on same_) as line.
-      destruct (multiple_of (along f) (along e) long) as (c & X & Y); [unfold cross in *; lra |].
-      assert (c_none : c * cross (along e) n == 0) by (rewrite <- flat; unfold cross; rewrite X, Y; ring).
-      destruct (Qmult_integral _ _ c_none) as [zero_ | zero_]; [| lra]. apply long_f. rewrite X, Y, zero_.
-      split; ring. }
-    destruct (segments_beside_the_open_sum p q x n p_region q_region outside)
-      as (d & (s & S & on & same_) & left_d & _).
-    - intros f w u F on no_vertex in_q x_is.
-      apply aside; [now apply (region_edges_are_directions p (proj1 p_region)) |].
-      now apply (passing_edges_of_p_are_covered p q x p_region q_region outside none_meet w u f).
-    - intros f u w F on no_vertex in_p x_is.
-      apply aside; [now apply (region_edges_are_directions q (proj1 q_region)) |].
-      now apply (passing_edges_of_q_are_covered p q x p_region q_region outside none_meet u w f).
-    - exact no_vertices.
-    - apply (collide_beside e x n E inside_). lra.
-    - pose proof (covering_is_parallel e s x d E inside_ S on same_) as line.
-      apply reduced_is_part_of_the_convolution in S. destruct same_ as (a & some & X & Y).
-      destruct (multiple_of d (along e) long) as (c & cx & cy); [unfold cross in *; lra |].
-      assert (back : c < 0).
-      { apply Qnot_le_lt. intros ahead_. unfold cross in left_d, right_. rewrite cx, cy in left_d. nra. }
-      destruct (proj2 (cut_returns s (flat_map (intersection s) segments) (all_long s S)) x on)
-        as (piece & P & part & on_piece).
-      assert (listed' : In (reduced_segment piece) arrangement)
-        by (apply nodup_In, in_flat_map; exists s; split; [exact S | now apply in_map]).
-      pose proof (lies_on_of_one_place _ _ _ (of_one_place_sym _ _ (reduced_segment_place piece)) on_piece) as on_.
-      destruct (segment_dec e (reduced_segment piece)) as [is_ | other].
-      + destruct (part_is_long piece s part (all_long s S)) as [_ (b & b_some & bx & by_)].
-        destruct (reduced_segment_is piece) as [[sx sy] [tx ty]].
-        assert (e_x : vx (along e) == b * a * c * vx (along e) /\ vy (along e) == b * a * c * vy (along e)).
-        { assert (along_x : vx (along e) == vx (along piece)) by (rewrite is_; unfold along, minus; cbn [vx]; lra).
-          assert (along_y : vy (along e) == vy (along piece)) by (rewrite is_; unfold along, minus; cbn [vy]; lra).
-          rewrite along_x at 1. rewrite along_y at 1. rewrite bx, by_, X, Y, cx, cy. split; ring. }
-        assert (0 < b * a) by now apply Qmult_lt_0_compat.
-        assert (0 < b * a * - c) by (apply Qmult_lt_0_compat; lra).
-        apply long. split; apply (Qmult_inj_l _ _ (1 - b * a * c)); lra.
-      + destruct (segment_dec e (reversed (reduced_segment piece))) as [is_ | other'].
-        * apply none_back. now rewrite is_, reversed_twice.
-        * exact (directed_are_apart _ (pieces_of_share_ends segments all_long) e _ x D
-            (arrangement_is_directed p q p_region q_region segments convolution_ _ listed') other other' inside_ on_).
+    (* a segment covers x that has n to its left, and so runs back *)
+    destruct (segment_left_of_a_step p q x n p_region q_region p_crosses_nowhere q_crosses_nowhere outside)
+      as (s & S & on & left_); [intros [X Y]; unfold cross in right_; rewrite X, Y in right_; lra | |].
+    { apply (collide_beside e x n E inside_). lra. }
+    pose proof (covering_is_parallel e s x E inside_ S on) as line.
+    destruct (multiple_of (along s) (along e) long) as (c & cx & cy); [unfold cross in *; lra |].
+    assert (back : c < 0).
+    { apply Qnot_le_lt. intros ahead_. unfold cross in left_, right_. rewrite cx, cy in left_. nra. }
+    destruct (proj2 (cut_returns s (flat_map (intersection s) segments) (all_long s S)) x on)
+      as (piece & P & part & on_piece).
+    assert (listed' : In (reduced_segment piece) arrangement)
+      by (apply nodup_In, in_flat_map; exists s; split; [exact S | now apply in_map]).
+    pose proof (lies_on_of_one_place _ _ _ (of_one_place_sym _ _ (reduced_segment_place piece)) on_piece) as on_.
+    destruct (segment_dec e (reduced_segment piece)) as [is_ | other].
+    - destruct (part_is_long piece s part (all_long s S)) as [_ (b & b_some & bx & by_)].
+      destruct (reduced_segment_is piece) as [[sx sy] [tx ty]].
+      assert (e_x : vx (along e) == b * c * vx (along e) /\ vy (along e) == b * c * vy (along e)).
+      { assert (along_x : vx (along e) == vx (along piece)) by (rewrite is_; unfold along, minus; cbn [vx]; lra).
+        assert (along_y : vy (along e) == vy (along piece)) by (rewrite is_; unfold along, minus; cbn [vy]; lra).
+        rewrite along_x at 1. rewrite along_y at 1. rewrite bx, by_, cx, cy. split; ring. }
+      assert (0 < b * - c) by (apply Qmult_lt_0_compat; lra).
+      apply long. split; apply (Qmult_inj_l _ _ (1 - b * c)); lra.
+    - destruct (segment_dec e (reversed (reduced_segment piece))) as [is_ | other'].
+      + apply none_back. now rewrite is_, reversed_twice.
+      + exact (directed_are_apart _ (pieces_of_share_ends segments all_long) e _ x D
+          (arrangement_is_directed p q p_region q_region segments convolution_ _ listed') other other' inside_ on_).
   Qed.
 End Corrected.
 
@@ -241,15 +223,15 @@ Proof.
   exact (inner_points_inside_edges p q p_region q_region segments convolution_ loop false_ e x).
 Qed.
 
-(* Theorem. Where P and -Q + x do not collide, x is a sum of two vertices, or an edge runs back. *)
-Theorem false_loops_make_them_collide (p q : region) (loop : list segment) (e : segment) (x : vector) :
+(* Theorem. Where P and -Q + x do not collide, an edge runs back. *)
+Theorem false_loops_make_them_collide_inside_edges (p q : region) (loop : list segment) (e : segment) (x : vector) :
   valid_region p -> valid_region q -> nowhere_above_one p -> nowhere_above_one q ->
-  is_false_loop p q (convolution_segments p q) loop -> In e loop -> strictly_inside x e -> ~ In (reversed e)
-    (convolution_arrangement p q) ->
-  (forall w u, is_vertex w p -> is_vertex u q -> ~ equal_vectors x (plus w u)) -> interiors_meet x p q.
+  chains_do_not_cross p -> chains_do_not_cross q -> is_false_loop p q (convolution_segments p q) loop ->
+  In e loop -> strictly_inside x e -> ~ In (reversed e) (convolution_arrangement p q) -> interiors_meet x p q.
 Proof.
-  intros p_region q_region p_simple q_simple false_.
-  exact (collide_inside_edges p q p_region q_region loop false_ e x p_simple q_simple).
+  intros p_region q_region p_simple q_simple p_crosses_nowhere q_crosses_nowhere false_.
+  exact (collide_inside_edges p q p_region q_region loop false_ e x p_simple q_simple p_crosses_nowhere
+    q_crosses_nowhere).
 Qed.
 
 (* Inside the first edge of the false loop. *)

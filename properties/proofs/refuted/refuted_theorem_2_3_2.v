@@ -4,11 +4,13 @@
    the vertex (4, 3), which is reflex, P a triangle with a vertical side at its right: their sum is part of the right
    side of the sum, (6, 7/2) is one of its points. The proof in the thesis looks at the edges that encompass e, at
    points where chains touch; there these are the outer chain's, not the hole's. What holds is proved in
-   theorem_2_3_2.v: no other chain touches the vertex. What the title says, that the reduced convolution covers the
-   boundary, is true where chains touch, too. *)
+   theorem_2_3_2.v: no other chain touches the vertex; or, where chains touch, it is these edges that turn to the right
+   (edges_that_encompass.v). What the title says, that the reduced convolution covers the boundary, is true where chains
+   touch, too. *)
 From Coq Require Import QArith Lqa List.
 From Oplus Require Import convolution regions left_of_an_edge theorem_4_2_1 theorem_2_2_10 valid_components
-  inside_a_corner boundary_points reduced_convolution theorem_2_3_2 small_polygons polygons_of_the_thesis
+  theorem_4_2_1_for_valid_regions inside_a_corner boundary_points edges_at_a_point reduced_convolution theorem_2_3_2
+  edges_that_encompass meeting_of_segments tie_rule small_polygons simple_polygons polygons_of_the_thesis
   drawn_regions drawn_sums touching_holes.
 Import ListNotations.
 
@@ -45,6 +47,14 @@ Theorem theorem_2_3_2_as_corrected (p q : region) (e f_in f_out : segment) (w : 
   ~ on_boundary_of_sum (plus w (source f_out)) p q.
 Proof. exact (edge_plus_reflex_vertex_is_not_on_the_boundary p q e f_in f_out w). Qed.
 
+(* And where chains touch: the edges of Q at u that are next to the direction of e, f before u and g after it, turn to
+   the right. *)
+Theorem theorem_2_3_2_where_chains_touch (p q : region) (e f g : segment) (w u : vector) :
+  valid_region p -> valid_region q -> In e (region_edges p) -> lies_on w e -> ~ is_vertex w p ->
+  directly_encompass q u (along e) f g -> cross (along f) (along g) < 0 ->
+  ~ on_boundary_of_sum (plus w u) p q.
+Proof. exact (encompassed_by_a_reflex_vertex p q e f g w u). Qed.
+
 (* And its title: the reduced convolution contains the boundary. *)
 Theorem title_of_theorem_2_3_2 (p q : region) (x : vector) :
   valid_region p -> valid_region q -> on_boundary_of_sum x p q -> on_reduced_convolution x p q.
@@ -70,4 +80,30 @@ Example the_wall_is_on_the_reduced_convolution : on_reduced_convolution (Vector 
 Proof.
   apply title_of_theorem_2_3_2;
     [apply simple_polygons_are_regions, drawn_polygons .. | exact wall_of_the_sum].
+Qed.
+
+(* Where the hole touches the triangle's side, an edge that leads into the hole is between the hole's edges. *)
+Example where_the_hole_touches :
+  ~ on_boundary_of_sum (Vector 5 (5 # 2)) [points_at [(0, 0); (1, -2); (2, -1)]]
+    (region_of triangle_with_inscribed_hole).
+Proof.
+  set (e := Segment (Vector 2 (-1)) (Vector 0 0)). set (u := Vector 4 3).
+  set (f := Segment (Vector 3 4) (Vector 4 3)). set (g := Segment (Vector 4 3) (Vector 2 3)).
+  apply (theorem_2_3_2_where_chains_touch _ _ e f g (Vector 1 (- (1 # 2))) u).
+  - apply simple_polygons_are_regions. split; [apply simple_chain.is_simple_decides |]; vm_compute; reflexivity.
+  - apply valid_components_are_valid_regions, triangle_with_inscribed_hole_is_valid.
+  - vm_compute. tauto.
+  - apply on_edge_by_computation. vm_compute. reflexivity.
+  - apply no_vertex_by_computation. vm_compute. reflexivity.
+  - split; [vm_compute; tauto |]. split.
+    { apply arrives_at_its_target; [intros [X _]; discriminate X | split; reflexivity]. }
+    split; [vm_compute; tauto |]. split.
+    { apply departs_from_its_source; [intros [X _]; discriminate X | split; reflexivity]. }
+    left. split; [vm_compute; reflexivity |]. intros s c S at_u.
+    assert (on : lies_on u s) by (destruct at_u as [[there _] | [there _]];
+      [apply departs_is in there | apply arrives_is in there]; tauto).
+    vm_compute in S. destruct on as (t & range & X & Y).
+    destruct S as [<- | [<- | [<- | [<- | [<- | [<- | []]]]]]]; unfold u in X, Y; cbn [source target vx vy] in X, Y;
+      first [exfalso; lra | destruct at_u as [[_ ->] | [_ ->]]; vm_compute; reflexivity].
+  - reflexivity.
 Qed.
