@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "checked/collision/summand_boundary.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <optional>
+#include <utility>
 
 #include "reference/chains/touching_points.hpp"
 #include "reference/definitions/exact_box.hpp"
@@ -10,20 +13,36 @@ namespace oplus {
 
 namespace {
 
-std::vector<Segment> joined(const std::vector<std::vector<Segment>>& of_chains) {
+/// Takes the pieces of the chains.
+std::vector<Segment> joined(std::vector<std::vector<Segment>> of_chains) {
+  if (of_chains.size() == 1) return std::move(of_chains[0]);
   std::size_t count = 0;
   for (const std::vector<Segment>& of_chain : of_chains) count += of_chain.size();
   std::vector<Segment> all;
   all.reserve(count);
-  for (const std::vector<Segment>& of_chain : of_chains)
-    all.insert(all.end(), of_chain.begin(), of_chain.end());
+  for (std::vector<Segment>& of_chain : of_chains) {
+    std::ranges::move(of_chain, std::back_inserter(all));
+    of_chain = {};
+  }
   return all;
 }
 
-std::vector<Segment> first_vertices(const std::vector<std::vector<Segment>>& of_chains) {
+std::vector<std::uint32_t> chains_of_pieces(const std::vector<std::vector<Segment>>& of_chains) {
+  std::vector<std::uint32_t> result;
+  for (std::uint32_t c = 0; c < of_chains.size(); ++c)
+    result.insert(result.end(), of_chains[c].size(), c);
+  return result;
+}
+
+std::vector<Point> first_vertices(const std::vector<std::vector<Segment>>& of_chains) {
+  std::vector<Point> all;
+  for (const std::vector<Segment>& of_chain : of_chains) all.push_back(of_chain.front().source);
+  return all;
+}
+
+std::vector<Segment> without_length(const std::vector<Point>& points) {
   std::vector<Segment> all;
-  for (const std::vector<Segment>& of_chain : of_chains)
-    all.push_back({of_chain.front().source, of_chain.front().source});
+  for (const Point& p : points) all.push_back({p, p});
   return all;
 }
 
@@ -40,13 +59,12 @@ std::vector<Segment> diagonal(const std::vector<std::vector<Segment>>& of_chains
 
 SummandBoundary::SummandBoundary(const Region& of) : SummandBoundary(pieces_by_chain(of)) {}
 
-SummandBoundary::SummandBoundary(const std::vector<std::vector<Segment>>& of_chains)
-    : pieces(joined(of_chains)), vertices(first_vertices(of_chains)), around(diagonal(of_chains)) {
-  for (const std::vector<Segment>& of_chain : of_chains) {
-    chain_of.insert(chain_of.end(), of_chain.size(), vertex_of_chain.size());
-    vertex_of_chain.push_back(of_chain.front().source);
-  }
-}
+SummandBoundary::SummandBoundary(std::vector<std::vector<Segment>> of_chains)
+    : chain_of(chains_of_pieces(of_chains)),
+      vertex_of_chain(first_vertices(of_chains)),
+      vertices(without_length(vertex_of_chain)),
+      around(diagonal(of_chains)),
+      pieces(joined(std::move(of_chains))) {}
 
 bool SummandBoundary::contains(const Point& x) const {
   const std::optional<Crossing> first = first_to_the_right(x, pieces);

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "checked/collision/segment_tree.hpp"
@@ -16,18 +17,18 @@ namespace oplus {
 struct SummandBoundary {
   explicit SummandBoundary(const Region& of);
 
+  std::vector<std::uint32_t> chain_of;  ///< of each piece
+  std::vector<Point> vertex_of_chain;   ///< one vertex each
+  SegmentTree vertices;                 ///< those of `vertex_of_chain`
+  SegmentTree around;                   ///< one box around all pieces
   SegmentTree pieces;
-  std::vector<std::size_t> chain_of;   ///< of each piece
-  std::vector<Point> vertex_of_chain;  ///< one vertex each
-  SegmentTree vertices;                ///< those of `vertex_of_chain`
-  SegmentTree around;                  ///< one box around all pieces
 
   /// Whether a point that is on no piece is inside: whether it is to the left of the first piece to the right
   /// of it. O(log n) in practice.
   bool contains(const Point& x) const;
 
  private:
-  explicit SummandBoundary(const std::vector<std::vector<Segment>>& of_chains);
+  explicit SummandBoundary(std::vector<std::vector<Segment>> of_chains);
 };
 
 inline Segment translated(const Segment& s, const Vector& by) {

@@ -2,19 +2,67 @@
 #include "checked/rounding/faces.hpp"
 
 #include <algorithm>
-#include <iterator>
+#include <optional>
 #include <utility>
 
+#include "checked/slide/stitching.hpp"
+#include "reference/arithmetic/interval.hpp"
+#include "reference/chains/plane_sweep.hpp"
 #include "reference/chains/region_of.hpp"
-#include "reference/chains/swept_cells.hpp"
 #include "reference/chains/touching_points.hpp"
+#include "reference/definitions/sorted_without_copies.hpp"
 
 namespace oplus {
 
-Region region_with_connected_interiors(std::vector<Segment> edges) {
-  for (Segment& e : edges) e = reversed(e);
+namespace {
+
+/// The direction from one point to another.
+struct Way {
+  const Point* from;
+  const Point* to;
+
+  IntervalPoint near() const { return interval(*to) - interval(*from); }
+  /// Whether b is to the left of a, 1, or to the right, -1.
+  friend int turn(const Way& a, const Way& b) {
+    const std::optional<int> known = sign_of_cross(a.near(), b.near());
+    return known ? *known : sign(cross(*a.to - *a.from, *b.to - *b.from));
+  }
+  /// Whether its angle is at least π.
+  bool is_lower() const {
+    const int up = cmp(to->y, from->y);
+    return up < 0 || (up == 0 && to->x < from->x);
+  }
+};
+
+}  // namespace
+
+PlanarSet set_bounded_by(const std::vector<Point>& points, std::vector<NumberedEdge> edges) {
+  std::ranges::sort(edges);
+  std::vector<slide::BoundaryPiece> pieces;
+  pieces.reserve(edges.size());
+  for (const NumberedEdge& e : edges)
+    pieces.push_back({e.from, e.to, static_cast<std::uint32_t>(pieces.size())});
+  const slide::StitchedChains stitched = slide::stitched(
+      pieces, points.size(),
+      [&](std::uint32_t e) {
+        return Way{&points[edges[e].from], &points[edges[e].to]};
+      },
+      1);
+  PlanarSet result;
+  for (const slide::StitchedChains::Chain& one : stitched.chains) {
+    Chain& chain = (one.is_outer ? result.outer : result.holes).emplace_back();
+    chain.reserve(one.last_edge - one.first_edge);
+    for (const slide::StitchedChains::Edge& e : stitched.edges_of(one))
+      chain.push_back(points[e.from]);
+  }
+  return result;
+}
+
+Region region_with_connected_interiors(const std::vector<Point>& points,
+                                       std::vector<NumberedEdge> edges) {
+  for (NumberedEdge& e : edges) std::swap(e.from, e.to);
   // Each chain of a sum bounds one face of the complement, here of the set.
-  PlanarSet faces = canonical_sum(BoundaryFeatures{std::move(edges), {}, {}});
+  PlanarSet faces = set_bounded_by(points, std::move(edges));
   PlanarSet turned;
   for (std::vector<Chain>* chains : {&faces.outer, &faces.holes}) {
     for (Chain& chain : *chains) {
@@ -37,40 +85,69 @@ Region region_with_connected_interiors(std::vector<Segment> edges) {
   return region;
 }
 
-Region with_connected_interiors(const Region& region) {
-  return touching_points(region).empty() ? region
-                                         : region_with_connected_interiors(boundary_pieces(region));
+Region with_connected_interiors(Region region) {
+  if (touching_points(region).empty()) return region;
+  const std::vector<Segment> pieces = boundary_pieces(region);
+  std::vector<Point> points;
+  for (const Segment& piece : pieces) points.push_back(piece.source);
+  points = sorted_without_copies(std::move(points));
+  const auto number = [&](const Point& p) {
+    return static_cast<std::uint32_t>(std::ranges::lower_bound(points, p) - points.begin());
+  };
+  std::vector<NumberedEdge> edges;
+  for (const Segment& piece : pieces) edges.push_back({number(piece.source), number(piece.target)});
+  return region_with_connected_interiors(points, std::move(edges));
 }
 
 Boundaries boundaries_of(const PlanarSet& set) {
-  std::vector<Segment> segments;
+  SweptEdges swept;
   for (const std::vector<Chain>* chains : {&set.outer, &set.holes})
-    for (const Chain& chain : *chains)
-      std::ranges::move(edges(chain), std::back_inserter(segments));
-  const std::vector<std::vector<Segment>> pieces = swept_pieces(segments);
-  const Cells cells = swept_cells_of_pieces(pieces);
-
-  Boundaries result;
-  constexpr auto none = static_cast<std::size_t>(-1);
-  std::vector<std::size_t> numbers(cells.faces.size(), none);
-  const auto number = [&](std::size_t face, std::size_t& count) {
-    if (numbers[face] == none) numbers[face] = count++;
-    return numbers[face];
+    for (const Chain& chain : *chains) swept.add(chain);
+  struct Piece {
+    const Point* from;
+    std::uint32_t below, above;  // faces
   };
-  for (const std::vector<Segment>& of_edge : pieces) {
-    for (const Segment& piece : of_edge) {
-      const bool forth = piece.source < piece.target;
-      const Cells::Edge& edge = *std::ranges::lower_bound(
-          cells.edges, forth ? piece : reversed(piece), {}, &Cells::Edge::segment);
-      result.edges.push_back(piece);
-      result.left.push_back(
-          number(forth ? edge.left_face : edge.right_face, result.component_count));
-      const std::size_t right = forth ? edge.right_face : edge.left_face;
-      result.right.push_back(right == cells.unbounded_face ? none
-                                                           : number(right, result.hole_count));
+  std::vector<Piece> last(swept.edges.size());  // of each edge, to the right
+  std::vector<std::uint32_t> whole = {0};  // of a face, one that it is a part of; the outside is 0
+  const auto face = [&](std::uint32_t f) {
+    while (whole[f] != f) f = whole[f] = whole[whole[f]];
+    return f;
+  };
+  Boundaries result;
+  result.edges.reserve(last.size());
+  sweep(swept, [&](const SweptPlace& place) {
+    std::uint32_t below = place.below ? last[*place.below].above : 0, above = below;
+    for (const std::uint32_t e : place.left) {
+      const Piece& piece = last[e];
+      if (swept.runs_right(e))
+        result.edges.push_back({piece.from, &place.point, piece.above, piece.below});
+      else
+        result.edges.push_back({&place.point, piece.from, piece.below, piece.above});
+      above = piece.above;
     }
+    if (place.right.empty())
+      whole[std::max(face(below), face(above))] = std::min(face(below), face(above));
+    for (const std::uint32_t e : place.right) {
+      last[e] = {&place.point, below, above};
+      if (e == place.right.back()) continue;
+      last[e].above = below = static_cast<std::uint32_t>(whole.size());
+      whole.push_back(below);
+    }
+    return true;
+  });
+
+  constexpr auto none = static_cast<std::uint32_t>(-1);
+  std::vector<std::uint32_t> numbers(whole.size(), none);
+  const auto number = [&](std::uint32_t f, std::uint32_t& count) {
+    if (numbers[f] == none) numbers[f] = count++;
+    return numbers[f];
+  };
+  for (Boundaries::Edge& e : result.edges) {
+    e.left = number(face(e.left), result.component_count);
+    e.right = face(e.right) == 0 ? none : number(face(e.right), result.hole_count);
   }
-  std::ranges::replace(result.right, none, result.hole_count);
+  for (Boundaries::Edge& e : result.edges)
+    if (e.right == none) e.right = result.hole_count;
   return result;
 }
 

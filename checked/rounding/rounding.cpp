@@ -2,6 +2,7 @@
 #include "checked/rounding/rounding.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -15,7 +16,6 @@
 #include "reference/chains/frame.hpp"
 #include "reference/chains/region_of.hpp"
 #include "reference/chains/swept_cells.hpp"
-#include "reference/chains/touching_points.hpp"
 #include "reference/definitions/mutant.hpp"
 #include "reference/definitions/sorted_without_copies.hpp"
 #include "reference/io/counted.hpp"
@@ -24,45 +24,26 @@ namespace oplus {
 
 namespace {
 
-std::vector<Point> ends_of(const std::vector<Segment>& segments) {
-  std::vector<Point> result;
-  result.reserve(2 * segments.size());
+void add_ends(std::vector<Point>& to, const std::vector<Segment>& segments) {
   for (const Segment& s : segments) {
-    result.push_back(s.source);
-    result.push_back(s.target);
+    to.push_back(s.source);
+    to.push_back(s.target);
   }
+}
+
+/// Room for more is of use to HotPixels only, which takes them.
+std::vector<Point> sources_of(const Boundaries& boundaries, std::size_t more = 0) {
+  std::vector<Point> result;
+  result.reserve(boundaries.edges.size() + more);
+  for (const Boundaries::Edge& e : boundaries.edges) result.push_back(*e.source);
   return result;
 }
 
-void add(std::vector<Point>& to, const std::vector<Point>& points) {
-  to.insert(to.end(), points.begin(), points.end());
-}
-
-void add(std::vector<Segment>& to, const std::vector<Segment>& segments) {
-  to.insert(to.end(), segments.begin(), segments.end());
-}
-
-RoundedSet bounded_by(std::vector<Segment> edges) {
-  RoundedSet result;
-  result.set = canonical_sum(BoundaryFeatures{edges, {}, {}});
-  result.region = region_with_connected_interiors(std::move(edges));
-  return result;
-}
-
-RoundedSet nearest(const PlanarSet& set, Boundary boundary, const Rational& step) {
-  const Boundaries boundaries = boundaries_of(set);
-  std::vector<Point> points = ends_of(boundaries.edges);
-  std::vector<Segment> dangling;
-  for (const std::vector<Segment>& pieces : swept_pieces(set.dangling_edges)) add(dangling, pieces);
-  add(points, ends_of(dangling));
-  add(points, set.isolated_vertices);
-  const HotPixels hot(points, step);
-  const SnappedEdges snapped(boundaries.edges, hot);
-  RoundedSet result = bounded_by(snapped.left);
-  result.changes = changes_by_snapping(boundaries, snapped, result.set);
-
-  // Edges and points: those of an open set's complement that are still in the set, or those of a closed set outside of
-  // it.
+/// Edges and points: those of an open set's complement that are still in the set, or those of a closed set outside of it.
+void add_features(RoundedSet& result, const PlanarSet& set, const std::vector<Segment>& dangling,
+                  Boundary boundary, const Rational& step, const HotPixels& hot,
+                  const SnappedEdges& snapped) {
+  const std::vector<Point>& at = hot.centres();
   std::vector<Segment> links;
   std::vector<Point> centres;
   for (const Segment& s : dangling) {
@@ -72,10 +53,10 @@ RoundedSet nearest(const PlanarSet& set, Boundary boundary, const Rational& step
   }
   for (const Point& p : set.isolated_vertices) centres.push_back(nearest_grid_point(p, step));
   if (boundary == Boundary::open) {
-    add(links, snapped.thin);
-    add(centres, snapped.points);
+    for (const NumberedEdge& e : snapped.thin) links.push_back({at[e.from], at[e.to]});
+    for (const std::uint32_t p : snapped.points) centres.push_back(at[p]);
   }
-  if (links.empty() && centres.empty()) return result;
+  if (links.empty() && centres.empty()) return;
   const Location wanted = boundary == Boundary::open ? Location::inside : Location::outside;
   const Overlay around(given(result.set), {});
   const auto stays = [&](const Point& p) { return around.locate(p).of_given == wanted; };
@@ -96,6 +77,26 @@ RoundedSet nearest(const PlanarSet& set, Boundary boundary, const Rational& step
     if (stays(p) && !lies_on_one(p, tree)) isolated.push_back(std::move(p));
   result.set.dangling_edges = maximal_segments(std::move(links));
   result.set.isolated_vertices = std::move(isolated);
+}
+
+RoundedSet nearest(const PlanarSet& set, Boundary boundary, const Rational& step) {
+  std::optional<Boundaries> boundaries = boundaries_of(set);
+  std::vector<Segment> dangling;
+  for (const std::vector<Segment>& pieces : swept_pieces(set.dangling_edges))
+    dangling.insert(dangling.end(), pieces.begin(), pieces.end());
+  std::vector<Point> points =
+      sources_of(*boundaries, 2 * dangling.size() + set.isolated_vertices.size());
+  add_ends(points, dangling);
+  points.insert(points.end(), set.isolated_vertices.begin(), set.isolated_vertices.end());
+  const HotPixels hot(std::move(points), step);
+  SnappedEdges snapped(*boundaries, hot);
+  RoundedSet result;
+  result.set = set_bounded_by(hot.centres(), snapped.left);
+  result.changes = changes_by_snapping(*boundaries, snapped, hot.centres(), result.set);
+  boundaries.reset();
+  snapped.links = {};
+  add_features(result, set, dangling, boundary, step, hot, snapped);
+  result.region = region_with_connected_interiors(hot.centres(), std::move(snapped.left));
   return result;
 }
 
@@ -121,8 +122,14 @@ PlanarSet grown(PlanarSet set, const PlanarSet& features, const Rational& step) 
   return set_sum(set, canonical_sum(square_of(half)), Boundary::closed, by_slide);
 }
 
-RoundedSet snapped(const std::vector<Segment>& edges, const Rational& step) {
-  return bounded_by(SnappedEdges(edges, HotPixels(ends_of(edges), step)).left);
+RoundedSet snapped(const PlanarSet& set, const Rational& step) {
+  const Boundaries boundaries = boundaries_of(set);
+  const HotPixels hot(sources_of(boundaries), step);
+  std::vector<NumberedEdge> left = SnappedEdges(boundaries, hot).left;
+  RoundedSet result;
+  result.set = set_bounded_by(hot.centres(), left);
+  result.region = region_with_connected_interiors(hot.centres(), std::move(left));
+  return result;
 }
 
 const PlanarSet& features_if(bool wanted, const PlanarSet& set) {
@@ -131,9 +138,8 @@ const PlanarSet& features_if(bool wanted, const PlanarSet& set) {
 }
 
 RoundedSet contain(const PlanarSet& set, Boundary boundary, const Rational& step) {
-  RoundedSet result = snapped(
-      boundary_pieces(region_of(grown(set, features_if(boundary == Boundary::closed, set), step))),
-      step);
+  RoundedSet result =
+      snapped(grown(set, features_if(boundary == Boundary::closed, set), step), step);
   result.changes = changes_by_containment(set, result.set, true);
   if (boundary == Boundary::open)
     result.changes.lost_edges_and_points = set.dangling_edges.size() + set.isolated_vertices.size();
@@ -148,7 +154,7 @@ RoundedSet contained(const PlanarSet& set, Boundary boundary, const Rational& st
                     "rounded inwards, an open sum has no regard to its edges and points");
   const PlanarSet around =
       unframed(grown(framed(complement(set), 8 * step), features_if(has_features, set), step));
-  RoundedSet result = snapped(boundary_pieces(region_of(complement(around))), step);
+  RoundedSet result = snapped(complement(around), step);
   result.changes = changes_by_containment(set, result.set, false);
   return result;
 }
@@ -195,10 +201,13 @@ RoundedSet rounded_complement(const PlanarSet& set, Boundary boundary, const Rat
 }  // namespace
 
 RoundedSet rounded(const PlanarSet& set, Boundary boundary, const Rational& step, Side side) {
-  std::vector<Point> points = set.isolated_vertices;
-  add(points, ends_of(edges(set)));
-  if (std::all_of(points.begin(), points.end(),
-                  [&](const Point& p) { return is_on_grid(p, step); })) {
+  const auto are_on_grid = [&](const std::vector<Point>& points) {
+    return std::ranges::all_of(points, [&](const Point& p) { return is_on_grid(p, step); });
+  };
+  std::vector<Point> ends = set.isolated_vertices;
+  add_ends(ends, set.dangling_edges);
+  if (are_on_grid(ends) && std::ranges::all_of(set.outer, are_on_grid) &&
+      std::ranges::all_of(set.holes, are_on_grid)) {
     RoundedSet result;
     result.set = set;
     if (set.is_unbounded) {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
-#include "checked/collision/segment_tree.hpp"
+#include "checked/boxes/box_tree.hpp"
 #include "reference/definitions/segment.hpp"
 
 namespace oplus {
@@ -31,17 +32,26 @@ bool is_on_grid(const Point& p, const Rational& step);
 class HotPixels {
  public:
   /// Near-linear in the points. Requires: step > 0.
-  HotPixels(const std::vector<Point>& points, const Rational& step);
+  HotPixels(std::vector<Point> points, const Rational& step);
 
-  /// The centres of the hot pixels that a segment, or a point, passes, in the order of its direction. O(log n) for each by
-  /// experience.
+  /// Those of the hot pixels, each once, sorted.
+  const std::vector<Point>& centres() const { return centres_; }
+
+  /// The numbers of the centres whose pixels a segment, or a point, passes, in the order of its direction. O(log n) for each
+  /// by experience.
+  std::vector<std::uint32_t> numbers_passed(const Point& source, const Point& target) const;
+
+  /// The centres themselves.
   std::vector<Point> passed(const Segment& s) const;
 
  private:
+  using Tree = BoxTree<4>;
+
   Rational half_;
-  Rational step_;
-  double half_in_doubles_;  ///< or a little more
-  SegmentTree centres_;     ///< each as a segment without length
+  Interval half_in_doubles_;
+  std::vector<Point> centres_;
+  std::vector<std::uint32_t> order_;  ///< of the centres, in the tree
+  Tree tree_;
 };
 
 }  // namespace oplus

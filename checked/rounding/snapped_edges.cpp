@@ -2,41 +2,32 @@
 #include "checked/rounding/snapped_edges.hpp"
 
 #include <algorithm>
-#include <utility>
-
-#include "reference/definitions/sorted_without_copies.hpp"
 
 namespace oplus {
 
-SnappedEdges::SnappedEdges(const std::vector<Segment>& edges, const HotPixels& hot) {
-  for (std::size_t i = 0; i < edges.size(); ++i) {
-    const std::vector<Point> passed = hot.passed(edges[i]);
+SnappedEdges::SnappedEdges(const Boundaries& set, const HotPixels& hot) {
+  links.reserve(set.edges.size());
+  for (std::uint32_t i = 0; i < set.edges.size(); ++i) {
+    const auto& [source, target, on_left, on_right] = set.edges[i];
+    const std::vector<std::uint32_t> passed = hot.numbers_passed(*source, *target);
     for (std::size_t k = 1; k < passed.size(); ++k) {
-      const bool forth = passed[k - 1] < passed[k];
-      links.push_back(
-          {forth ? Segment{passed[k - 1], passed[k]} : Segment{passed[k], passed[k - 1]}, forth,
-           i});
+      const auto [from, to] = std::minmax(passed[k - 1], passed[k]);
+      links.push_back({{from, to}, i, passed[k - 1] < passed[k]});
     }
-    points.push_back(passed.front());
+    if (passed.size() == 1) points.push_back(passed.front());
   }
-  std::ranges::sort(links, {}, &Link::segment);
-  std::vector<Point> ends;
-  // Emscripten's library makes a span of pointers only.
-  for (const Link *first = links.data(), *const end = first + links.size(); first != end;) {
-    const Link* last =
-        std::find_if(first, end, [&](const Link& one) { return one.segment != first->segment; });
-    groups.emplace_back(first, last);
-    const int more = turns(groups.back());
+  std::ranges::sort(links, {}, &Link::between);
+  std::vector<bool> is_end(hot.centres().size());
+  each_group(links, [&](std::span<const Link> group) {
+    const auto [from, to] = group.front().between;
+    const int more = turns(group);
     if (more == 0)
-      thin.push_back(first->segment);
+      thin.push_back({from, to});
     else
-      left.push_back(more > 0 ? first->segment : reversed(first->segment));
-    ends.push_back(first->segment.source);
-    ends.push_back(first->segment.target);
-    first = last;
-  }
-  ends = sorted_without_copies(std::move(ends));
-  std::erase_if(points, [&](const Point& p) { return std::ranges::binary_search(ends, p); });
+      left.push_back(more > 0 ? NumberedEdge{from, to} : NumberedEdge{to, from});
+    is_end[from] = is_end[to] = true;
+  });
+  std::erase_if(points, [&](std::uint32_t p) { return is_end[p]; });
 }
 
 int turns(std::span<const Link> group) {

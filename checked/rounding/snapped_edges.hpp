@@ -1,36 +1,43 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
+#include "checked/rounding/faces.hpp"
 #include "checked/rounding/snap_rounding.hpp"
 
 namespace oplus {
 
 /// A part of an edge's polyline, from one hot pixel to the next.
 struct Link {
-  Segment segment;   ///< from its smaller end
-  bool forth;        ///< whether the edge runs so
-  std::size_t edge;  ///< by its index
+  NumberedEdge between;  ///< centres, from the smaller one
+  std::uint32_t edge;    ///< by its index
+  bool forth;            ///< whether the edge runs so
 };
 
 /// The boundary of a set, the set to the left, after snap rounding. Where as many edges run along a link forth as back, a part of
-/// the set or of its complement became thin, and none is left; else one is (docs/rounding.md).
+/// the set or of its complement became thin, and none is left; else one is (docs/rounding.md). Points are named by the
+/// numbers of centres.
 struct SnappedEdges {
-  SnappedEdges(const std::vector<Segment>& edges, const HotPixels& hot);
+  SnappedEdges(const Boundaries& set, const HotPixels& hot);
 
-  std::vector<Link> links;                    ///< sorted by their segments
-  std::vector<std::span<const Link>> groups;  ///< those with the same segment
-  std::vector<Segment>
+  std::vector<Link> links;  ///< sorted by `between`
+  std::vector<NumberedEdge>
       left;  ///< of the new boundary, the set to their left; they meet at ends only
-  std::vector<Segment> thin;  ///< segments of groups of which none is left
-  std::vector<Point> points;  ///< of edges that became points, where no link ends
-
-  SnappedEdges(const SnappedEdges&) = delete;
-  SnappedEdges& operator=(const SnappedEdges&) = delete;
+  std::vector<NumberedEdge> thin;     ///< where there are links, and none is left
+  std::vector<std::uint32_t> points;  ///< of edges that became points, where no link ends
 };
+
+/// Calls visit(group) with those between the same centres. Requires: links are sorted.
+template <typename Visit>
+void each_group(std::span<const Link> links, const Visit& visit) {
+  for (std::size_t first = 0, last = 0; first < links.size(); first = last) {
+    while (last < links.size() && links[last].between == links[first].between) ++last;
+    visit(links.subspan(first, last - first));
+  }
+}
 
 /// How many more edges run along a link forth than back: 1, 0 or -1.
 int turns(std::span<const Link> group);

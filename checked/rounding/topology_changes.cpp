@@ -92,12 +92,12 @@ struct FacesOfBothKinds {
 
 /// Given how often links of a segment have a face on their left, counted with the sign of the direction: joins the faces
 /// that are beside it once the others became thin, and returns one of them.
-std::optional<std::size_t> join_faces(std::vector<std::pair<std::size_t, int>> turns,
-                                      Faces& faces) {
+std::optional<std::uint32_t> join_faces(std::vector<std::pair<std::uint32_t, int>> turns,
+                                        Faces& faces) {
   std::ranges::sort(turns);
-  std::optional<std::size_t> first;
+  std::optional<std::uint32_t> first;
   for (std::size_t i = 0; i < turns.size();) {
-    const std::size_t face = turns[i].first;
+    const std::uint32_t face = turns[i].first;
     int sum = 0;
     for (; i < turns.size() && turns[i].first == face; ++i) sum += turns[i].second;
     if (sum == 0) continue;
@@ -109,19 +109,25 @@ std::optional<std::size_t> join_faces(std::vector<std::pair<std::size_t, int>> t
 
 /// A link that is left, and the faces beside it, before it was moved.
 struct LeftLink {
-  Segment segment;
-  std::size_t left;
-  std::size_t right;
+  NumberedEdge between;
+  std::uint32_t left;
+  std::uint32_t right;
 };
 
-const LeftLink& first_link_of(const Segment& piece, const std::vector<LeftLink>& links) {
-  const Vector along = direction_of(piece);
-  auto link = std::ranges::lower_bound(links, piece.source, {},
-                                       [](const LeftLink& one) { return one.segment.source; });
-  while (link != links.end() && link->segment.source == piece.source) {
-    const Vector direction = direction_of(link->segment);
+/// Requires: links are sorted.
+const LeftLink& first_link_of(const Boundaries::Edge& piece, const std::vector<LeftLink>& links,
+                              const std::vector<Point>& centres) {
+  const auto source = static_cast<std::uint32_t>(std::ranges::lower_bound(centres, *piece.source) -
+                                                 centres.begin());
+  const auto first = std::ranges::lower_bound(links, source, {},
+                                              [](const LeftLink& one) { return one.between.from; });
+  auto last = first;
+  while (last != links.end() && last->between.from == source) ++last;
+  if (last - first == 1) return *first;
+  const Vector along = direction_of(piece.segment());
+  for (auto link = first; link != last; ++link) {
+    const Vector direction = centres[link->between.to] - *piece.source;
     if (sgn(cross(along, direction)) == 0 && sgn(dot(along, direction)) > 0) return *link;
-    ++link;
   }
   throw std::logic_error("edges cross that were rounded");
 }
@@ -129,14 +135,14 @@ const LeftLink& first_link_of(const Segment& piece, const std::vector<LeftLink>&
 /// The boundary of each component, or of each hole, the face to the left.
 std::vector<std::vector<Segment>> boundaries_of_components(const Boundaries& set) {
   std::vector<std::vector<Segment>> result(set.component_count);
-  for (std::size_t i = 0; i < set.edges.size(); ++i) result[set.left[i]].push_back(set.edges[i]);
+  for (const Boundaries::Edge& e : set.edges) result[e.left].push_back(e.segment());
   return result;
 }
 
 std::vector<std::vector<Segment>> boundaries_of_holes(const Boundaries& set) {
   std::vector<std::vector<Segment>> result(set.hole_count);
-  for (std::size_t i = 0; i < set.edges.size(); ++i)
-    if (set.right[i] < set.hole_count) result[set.right[i]].push_back(reversed(set.edges[i]));
+  for (const Boundaries::Edge& e : set.edges)
+    if (e.right < set.hole_count) result[e.right].push_back(reversed(e.segment()));
   return result;
 }
 
@@ -148,7 +154,11 @@ std::vector<std::optional<std::size_t>> faces_around(const std::vector<std::vect
   for (const std::vector<Segment>& boundary : faces) points.push_back(point_inside(boundary));
   SweptEdges edges;
   for (const Point& p : points) edges.add(p);
-  for (const Segment& s : set.edges) edges.add(s);
+  for (const Boundaries::Edge& e : set.edges) {
+    const auto first = static_cast<std::uint32_t>(edges.points.size());
+    edges.points.insert(edges.points.end(), {e.source, e.target});
+    edges.edges.push_back({first, first + 1});
+  }
   std::vector<std::optional<std::size_t>> result(points.size());
   sweep(edges, [&](const SweptPlace& place) {
     for (const std::uint32_t point : place.points) {
@@ -156,7 +166,9 @@ std::vector<std::optional<std::size_t>> faces_around(const std::vector<std::vect
       const std::optional<std::uint32_t> edge = place.below;
       const bool is_in_set = edge && edges.runs_right(*edge);
       if (is_in_set != are_components) continue;
-      result[point] = !edge ? set.hole_count : is_in_set ? set.left[*edge] : set.right[*edge];
+      result[point] = !edge       ? set.hole_count
+                      : is_in_set ? set.edges[*edge].left
+                                  : set.edges[*edge].right;
     }
     return true;
   });
@@ -166,27 +178,30 @@ std::vector<std::optional<std::size_t>> faces_around(const std::vector<std::vect
 }  // namespace
 
 TopologyChanges changes_by_snapping(const Boundaries& before, const SnappedEdges& snapped,
-                                    const PlanarSet& after) {
+                                    const std::vector<Point>& centres, const PlanarSet& after) {
   const Boundaries now = boundaries_of(after);
   FacesOfBothKinds faces(before, now);
   std::vector<LeftLink> links;
-  for (const std::span<const Link> group : snapped.groups) {
-    std::vector<std::pair<std::size_t, int>> of_components, of_complement;
+  links.reserve(snapped.left.size());
+  each_group(snapped.links, [&](std::span<const Link> group) {
+    std::vector<std::pair<std::uint32_t, int>> of_components, of_complement;
     for (const Link& one : group) {
-      of_components.emplace_back(before.left[one.edge], one.forth ? 1 : -1);
-      of_complement.emplace_back(before.right[one.edge], one.forth ? -1 : 1);
+      of_components.emplace_back(before.edges[one.edge].left, one.forth ? 1 : -1);
+      of_complement.emplace_back(before.edges[one.edge].right, one.forth ? -1 : 1);
     }
     const auto left = join_faces(std::move(of_components), faces.components);
     const auto right = join_faces(std::move(of_complement), faces.complement);
     const int more = turns(group);
-    const Segment& link = group.front().segment;
-    if (more != 0) links.push_back({more > 0 ? link : reversed(link), left.value(), right.value()});
-  }
-  std::ranges::sort(links, {}, &LeftLink::segment);
-  for (std::size_t i = 0; i < now.edges.size(); ++i) {
-    const LeftLink& link = first_link_of(now.edges[i], links);
-    faces.components.join(link.left, now.left[i]);
-    faces.complement.join(link.right, now.right[i]);
+    const auto [from, to] = group.front().between;
+    if (more != 0)
+      links.push_back({more > 0 ? NumberedEdge{from, to} : NumberedEdge{to, from}, left.value(),
+                       right.value()});
+  });
+  std::ranges::sort(links, {}, &LeftLink::between);
+  for (const Boundaries::Edge& e : now.edges) {
+    const LeftLink& link = first_link_of(e, links, centres);
+    faces.components.join(link.left, e.left);
+    faces.complement.join(link.right, e.right);
   }
   return faces.changes();
 }

@@ -13,7 +13,7 @@ namespace oplus {
 /// What became of the faces of a set, whose boundary was snapped: a face becomes those around points of which its own boundary
 /// winds after it was moved. `after` is the set with the boundary that is left. Near-linear.
 TopologyChanges changes_by_snapping(const Boundaries& before, const SnappedEdges& snapped,
-                                    const PlanarSet& after);
+                                    const std::vector<Point>& centres, const PlanarSet& after);
 
 /// What became of the faces of a set that was rounded to a larger or a smaller one: each component of the smaller one is
 /// contained in one of the larger one, and each face of the larger one's complement in one of the smaller one's.

@@ -33,7 +33,7 @@ std::vector<Point> vertices(const Region& region, const std::vector<Segment>& ot
 
 CollisionVerdicts::CollisionVerdicts(const Region& p, const Region& q)
     : p_(p),
-      minus_q_(reflected(q)),
+      q_(q),
       test_(hierarchy_collision(p, q)),
       cost_of_definition_((vertex_count(p) + vertex_count(q)) *
                           (vertex_count(p) + vertex_count(q))) {}
@@ -48,13 +48,13 @@ bool CollisionVerdicts::interiors_meet_by_definition_at(const Point& x) const {
   const bool meet = interiors_meet_at(x);
   if (spent_on_it_ + cost_of_definition_ > most_spent_on_definition) return meet;
   spent_on_it_ += cost_of_definition_;
-  if (interiors_meet(p_, translated(minus_q_, x)) != meet)
+  if (interiors_meet(p_, translated(reflected(q_), x)) != meet)
     throw VerdictsDiffer("the collision test and its definition differ at " + to_string(x));
   return meet;
 }
 
 std::optional<Point> CollisionVerdicts::common_point_at(const Point& x) const {
-  const Region placed = translated(minus_q_, x);
+  const Region placed = translated(reflected(q_), x);
   PlanarSet chains;
   for (const Component& component : placed.components) {
     chains.outer.push_back(component.outer);

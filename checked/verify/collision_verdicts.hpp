@@ -14,7 +14,7 @@ namespace oplus {
 /// The collision test of two fixed regions P and Q, asked at many placements.
 class CollisionVerdicts {
  public:
-  /// Requires: p and q are valid (validity.hpp).
+  /// Requires: p and q are valid (validity.hpp), and stay where they are.
   CollisionVerdicts(const Region& p, const Region& q);
   ~CollisionVerdicts();
 
@@ -31,8 +31,8 @@ class CollisionVerdicts {
   std::optional<Point> common_point_at(const Point& x) const;
 
  private:
-  const Region p_;
-  const Region minus_q_;
+  const Region& p_;
+  const Region& q_;
   const std::unique_ptr<CollisionTest> test_;
   const std::size_t cost_of_definition_;  ///< of asking it once
   mutable std::atomic<std::size_t> spent_on_it_ = 0;

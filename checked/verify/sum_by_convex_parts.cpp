@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <deque>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -15,10 +17,17 @@ namespace oplus {
 
 namespace {
 
+/// Features in which edges may overlap. Without room for more, which a vector would have.
+struct Pieces {
+  std::deque<Segment> edges;
+  std::deque<Segment> dangling_edges;
+  std::vector<Point> isolated_vertices;
+};
+
 /// Cuts edges where others end, so that they meet at common ends only, and leaves out copies; leaves
 /// out isolated vertices that are on an edge.
-void cut_at_ends(BoundaryFeatures& features) {
-  const std::vector<Segment>& whole = features.edges;
+BoundaryFeatures cut_at_ends(Pieces features) {
+  const std::deque<Segment>& whole = features.edges;
   SweptEdges swept;
   for (const Segment& edge : whole) swept.add(edge);
   for (const Segment& edge : features.dangling_edges) swept.add(edge);
@@ -26,27 +35,30 @@ void cut_at_ends(BoundaryFeatures& features) {
 
   std::vector<Point> places;
   places.reserve(whole.size());
-  std::vector<std::size_t> begin(
+  std::vector<std::uint32_t> begin(
       swept.edges.size());  // of the piece of an edge that is passed over
-  std::vector<std::pair<std::size_t, std::size_t>> pieces;
-  std::vector<Point> isolated;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pieces;
+  BoundaryFeatures result;
   sweep(swept, [&](const SweptPlace& place) {
+    const auto here = static_cast<std::uint32_t>(places.size());
     for (const std::uint32_t edge : place.left) {
       if (edge >= whole.size()) continue;
-      pieces.emplace_back(begin[edge], places.size());
+      pieces.emplace_back(begin[edge], here);
       if (!swept.runs_right(edge)) std::swap(pieces.back().first, pieces.back().second);
     }
-    for (const std::uint32_t edge : place.right) begin[edge] = places.size();
+    for (const std::uint32_t edge : place.right) begin[edge] = here;
     places.push_back(place.point);
-    if (place.left.empty() && place.right.empty()) isolated.push_back(place.point);
+    if (place.left.empty() && place.right.empty()) result.isolated_vertices.push_back(place.point);
     return true;
   });
-  features.isolated_vertices = std::move(isolated);
+  result.dangling_edges.assign(std::make_move_iterator(features.dangling_edges.begin()),
+                               std::make_move_iterator(features.dangling_edges.end()));
+  features = {};
   pieces = sorted_without_copies(std::move(pieces));
-  features.edges.clear();
-  features.edges.reserve(pieces.size());
+  result.edges.reserve(pieces.size());
   for (const auto& [source, target] : pieces)
-    features.edges.push_back({places[source], places[target]});
+    result.edges.push_back({places[source], places[target]});
+  return result;
 }
 
 std::vector<std::size_t> starting_at(const std::vector<Segment>& edges,
@@ -72,30 +84,33 @@ void add_sums_of_touching_points(const Region& p, const Region& q, ConvexSums& s
   }
 }
 
-}  // namespace
-
-PlanarSet sum_by_convex_parts(const Region& p, const Region& q, Boundary boundary) {
+Pieces pieces_of_sum(const Region& p, const Region& q, Boundary boundary) {
   ConvexSums sums(p, q);
-  BoundaryFeatures features;
+  Pieces result;
+  const auto add = [](std::deque<Segment>& to, std::vector<Segment>& segments) {
+    std::ranges::move(segments, std::back_inserter(to));
+  };
   for (const ConvexSums::EdgeAtVertex& candidate : sums.reduced_convolution()) {
     if (boundary == Boundary::closed) {
-      for (Segment& s : sums.boundary_parts(candidate)) features.edges.push_back(std::move(s));
+      std::vector<Segment> parts = sums.boundary_parts(candidate);
+      add(result.edges, parts);
       continue;
     }
     ConvexSums::Outside outside = sums.outside_parts(candidate);
-    features.edges.insert(features.edges.end(), outside.boundary.begin(), outside.boundary.end());
-    for (Segment& s : outside.inside_closed_sum) {
+    add(result.edges, outside.boundary);
+    for (Segment& s : outside.inside_closed_sum)
       if (s.target < s.source) swap(s.source, s.target);
-      features.dangling_edges.push_back(std::move(s));
-    }
-    features.isolated_vertices.insert(features.isolated_vertices.end(), outside.points.begin(),
-                                      outside.points.end());
+    add(result.dangling_edges, outside.inside_closed_sum);
+    std::ranges::move(outside.points, std::back_inserter(result.isolated_vertices));
   }
-  if (boundary == Boundary::open)
-    add_sums_of_touching_points(p, q, sums, features.isolated_vertices);
+  if (boundary == Boundary::open) add_sums_of_touching_points(p, q, sums, result.isolated_vertices);
+  return result;
+}
 
-  cut_at_ends(features);
-  return canonical_sum(features);
+}  // namespace
+
+PlanarSet sum_by_convex_parts(const Region& p, const Region& q, Boundary boundary) {
+  return canonical_sum(cut_at_ends(pieces_of_sum(p, q, boundary)));
 }
 
 }  // namespace oplus

@@ -374,46 +374,94 @@ bool same_features(const ClaimedSum& given, const PlanarSet& right) {
          sorted_without_copies(given.isolated_vertices) == right.isolated_vertices;
 }
 
+/// The first edges of chains.
+std::vector<Segment> first_edges(const std::vector<const Chain*>& chains) {
+  std::vector<Segment> result;
+  for (const Chain* chain : chains) {
+    if (chain->size() < 3) throw VerdictsDiffer("convex parts leave a chain that bounds nothing");
+    result.push_back({(*chain)[0], (*chain)[1]});
+  }
+  return result;
+}
+
+/// How far from such an edge others are looked for.
+double room_around(const Box& edge) { return edge.size(); }
+
+/// The edges of chains, but for those that have no such room to all first edges; and which the first ones are.
+struct EdgesNearFirstOnes {
+  EdgesNearFirstOnes(const std::vector<const Chain*>& chains, const SegmentTree& first_edges) {
+    for (const Chain* chain : chains) {
+      first.push_back(edges.size());
+      IntervalPoint source = interval(chain->front());
+      for (std::size_t i = 0; i < chain->size(); ++i) {
+        const Point& end = (*chain)[next(i, chain->size())];
+        const IntervalPoint target = interval(end);
+        const Box box = box_of(IntervalSegment{source, target});
+        bool is_near = false;
+        first_edges.look_for(
+            0,
+            [&](const Box& some) {
+              return meet(enlarged(some, 2 * room_around(some)), box) ? 0 : SegmentTree::nothing;
+            },
+            [&](std::size_t) {
+              is_near = true;
+              return -1;
+            });
+        if (is_near) edges.push_back({(*chain)[i], end});
+        source = target;
+      }
+    }
+  }
+
+  std::vector<Segment> edges;
+  std::vector<std::size_t> first;
+};
+
 /// A second verdict: a point on either side of each chain of the sum, by the collision test. The points
 /// are on no edge of the sum, but one inside it may be on a dangling edge, of which a closed sum says
 /// nothing: then another point decides, which is on none.
 void ask_collision_test(const PlanarSet& sum, Boundary boundary, const CollisionVerdicts& verdicts,
                         Exceptional& exceptional) {
-  std::vector<Segment> all = edges(sum);
-  for (const Point& p : sum.isolated_vertices) all.push_back({p, p});
-  const SegmentTree tree(all);
-  std::size_t edge = 0;
-  for (const std::vector<Chain>* of_sum : {&sum.outer, &sum.holes}) {
-    for (const Chain& chain : *of_sum) {
-      if (chain.size() < 3) throw VerdictsDiffer("convex parts leave a chain that bounds nothing");
-      for (const bool left : {true, false}) {
-        Point x;
-        bool meet = false;
-        for (int attempt = 0; attempt < 4; ++attempt) {
-          x = attempt < 3 ? point_near(tree, edge, left, attempt)
-                          : point_left_of(all[edge], all, exceptional.places());
-          meet = verdicts.interiors_meet_at(x);
-          const bool may_be_exceptional = left && !meet && boundary == Boundary::closed;
-          if (!may_be_exceptional) break;
-        }
-        if (meet != left)
-          throw VerdictsDiffer("convex parts and the collision test differ at " + to_string(x));
+  std::vector<const Chain*> chains;
+  for (const std::vector<Chain>* of_sum : {&sum.outer, &sum.holes})
+    for (const Chain& chain : *of_sum) chains.push_back(&chain);
+  const SegmentTree first_ones(first_edges(chains));
+  auto [near, first] = EdgesNearFirstOnes(chains, first_ones);
+  near.insert(near.end(), sum.dangling_edges.begin(), sum.dangling_edges.end());
+  for (const Point& p : sum.isolated_vertices) near.push_back({p, p});
+  const SegmentTree tree(std::move(near));
+  const auto all = [&] {
+    std::vector<Segment> result = edges(sum);
+    for (const Point& p : sum.isolated_vertices) result.push_back({p, p});
+    return result;
+  };
+  for (std::size_t c = 0; c < chains.size(); ++c) {
+    for (const bool left : {true, false}) {
+      Point x;
+      bool meet = false;
+      for (int attempt = 0; attempt < 4; ++attempt) {
+        x = attempt < 3 ? point_near(tree, first[c], left, attempt,
+                                     room_around(box_of(first_ones.certified(c))))
+                        : point_left_of(first_ones[c], all(), exceptional.places());
+        meet = verdicts.interiors_meet_at(x);
+        const bool may_be_exceptional = left && !meet && boundary == Boundary::closed;
+        if (!may_be_exceptional) break;
       }
-      edge += chain.size();
+      if (meet != left)
+        throw VerdictsDiffer("convex parts and the collision test differ at " + to_string(x));
     }
   }
 }
 
 PlanarSet decided_sum(const Region& p, const Region& q, Boundary boundary,
-                      const CollisionVerdicts& verdicts, Exceptional& exceptional) {
+                      Exceptional& exceptional) {
   PlanarSet sum = sum_by_convex_parts(p, q, boundary);
-  ask_collision_test(sum, boundary, verdicts, exceptional);
+  ask_collision_test(sum, boundary, CollisionVerdicts(p, q), exceptional);
   return sum;
 }
 
 Verdict verdict(PlanarSet computed, const Region& p, const Region& q, Boundary boundary,
-                const ClaimedSum& sum, const CollisionVerdicts& verdicts,
-                Exceptional& exceptional) {
+                const ClaimedSum& sum, Exceptional& exceptional) {
   Verdict result;
   result.right = std::move(computed);
   const PlanarSet& right = result.right;
@@ -423,6 +471,7 @@ Verdict verdict(PlanarSet computed, const Region& p, const Region& q, Boundary b
   if (given_normal == NormalForm(region) && same_features(sum, right)) return result;
 
   const Overlay overlay(sum, right);
+  const CollisionVerdicts verdicts(p, q);
   append(result.reasons, face_reasons(overlay, verdicts, exceptional));
   append(result.reasons, orientation_reasons(sum, overlay));
   append(result.reasons, unsimple_reasons(overlay));
@@ -455,10 +504,8 @@ Verdict verdict(PlanarSet computed, const Region& p, const Region& q, Boundary b
 std::string describe(ReasonKind kind) { return words_for(kind).name; }
 
 Verdict verify(const Region& p, const Region& q, Boundary boundary, const ClaimedSum& sum) {
-  const CollisionVerdicts verdicts(p, q);
   Exceptional exceptional(p, q);
-  return verdict(decided_sum(p, q, boundary, verdicts, exceptional), p, q, boundary, sum, verdicts,
-                 exceptional);
+  return verdict(decided_sum(p, q, boundary, exceptional), p, q, boundary, sum, exceptional);
 }
 
 Verdict verify(const Region& p, const Region& q, Boundary boundary, const PlanarSet& sum) {
@@ -467,7 +514,7 @@ Verdict verify(const Region& p, const Region& q, Boundary boundary, const Planar
 
 PlanarSet sum_by_definition(const Region& p, const Region& q, Boundary boundary) {
   Exceptional exceptional(p, q);
-  return decided_sum(p, q, boundary, CollisionVerdicts(p, q), exceptional);
+  return decided_sum(p, q, boundary, exceptional);
 }
 
 }  // namespace oplus

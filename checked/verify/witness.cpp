@@ -2,6 +2,7 @@
 #include "checked/verify/witness.hpp"
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -42,13 +43,13 @@ double slope(int attempt) { return 0.125 + 0.171875 * attempt; }
 /// point_near, where doubles are exact enough. Of all segments, only the edge meets a circle around its
 /// middle, and cuts it in two. So a point in the circle is in the face on its side of the edge.
 std::optional<Point> point_near_in_doubles(const SegmentTree& edges, std::size_t edge, bool left,
-                                           int attempt) {
+                                           int attempt, double most_room) {
   const IntervalSegment& e = edges.certified(edge);
   const auto exactly = [](double x) { return Interval{x, x}; };
   const IntervalPoint middle{exactly(e.source.x.low / 2 + e.target.x.low / 2),
                              exactly(e.source.y.low / 2 + e.target.y.low / 2)};
   const Box box = box_of(middle);
-  double room = SegmentTree::nothing;  // squared
+  double room = most_room * most_room * (1 - 0x1p-48);  // squared
   edges.look_for(
       room, [&](const Box& b) { return squared_gap(b, box); },
       [&](std::size_t i) {
@@ -104,12 +105,16 @@ Point point_of_face(const std::vector<Segment>& boundary, const std::vector<Segm
   return inside;
 }
 
-Point point_near(const SegmentTree& edges, std::size_t edge, bool left, int attempt) {
-  if (std::optional<Point> point = point_near_in_doubles(edges, edge, left, attempt)) return *point;
+Point point_near(const SegmentTree& edges, std::size_t edge, bool left, int attempt,
+                 double most_room) {
+  if (std::optional<Point> point = point_near_in_doubles(edges, edge, left, attempt, most_room))
+    return *point;
   // Between two places where others touch it.
   const Segment piece = cut_where_met(edges[edge], edges)[0];
   const Point middle = midpoint(piece.source, piece.target);
-  const Rational room = squared_distance(middle, edges, -1, edge);
+  Rational room = squared_distance(middle, edges, -1, edge);
+  if (most_room <= DBL_MAX)
+    room = std::min(room, Rational(Rational(most_room) * Rational(most_room)));
   if (sign(room) == 0) throw VerdictsDiffer("edges of the sum overlap at " + to_string(middle));
   const Vector along = direction_of(piece);
   const Vector beside = left ? Vector{-along.y, along.x} : Vector{along.y, -along.x};

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdlib>
 #include <exception>
 #include <fstream>
@@ -15,6 +16,7 @@
 #include <string>
 #include <string_view>
 
+#include "checked/cli/command_line/number_memory.hpp"
 #include "checked/cli/command_line/terminal.hpp"
 #include "checked/cli/exit_code.hpp"
 #include "reference/io/output_file.hpp"
@@ -26,17 +28,15 @@ namespace {
 extern "C" void handle_end(int number) { end_by_signal(number); }
 
 // GMP has no way to report a failure: its own functions abort.
-extern "C" void* allocate(std::size_t size) {
-  void* const memory = std::malloc(size);
+void* unless_null(void* memory) {
   if (memory == nullptr) end_without_memory();
   return memory;
 }
-extern "C" void* reallocate(void* old, std::size_t, std::size_t size) {
-  void* const memory = std::realloc(old, size);
-  if (memory == nullptr) end_without_memory();
-  return memory;
+extern "C" void* allocate(std::size_t size) { return unless_null(NumberMemory::allocate(size)); }
+extern "C" void* reallocate(void* old, std::size_t old_size, std::size_t size) {
+  return unless_null(NumberMemory::reallocate(old, old_size, size));
 }
-extern "C" void release(void* memory, std::size_t) { std::free(memory); }
+extern "C" void release(void* memory, std::size_t size) { NumberMemory::release(memory, size); }
 
 /// What the machine, or the container, has left, in bytes.
 rlim_t available_memory() {

@@ -7,7 +7,8 @@ namespace oplus {
 ///  1. a signal that ends it (HUP, INT, QUIT, TERM, XCPU) still does, after its temporary files are removed;
 ///  2. a file beyond the limit of its size is an error of writing, not the signal XFSZ;
 ///  3. it takes no more memory than the machine has left now, or than the soft limit RLIMIT_DATA (ulimit -d) says;
-///  4. where GMP, or what no one catches, finds too little memory, it ends as invalid input does.
+///  4. where GMP, or what no one catches, finds too little memory, it ends as invalid input does; GMP has the memory
+///     of number_memory.hpp, but for sanitizers.
 /// Signals that are handled or ignored already stay so, but for XFSZ.
 void prepare_for_early_ends();
 
