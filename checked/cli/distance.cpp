@@ -79,6 +79,7 @@ ExitCode write_depth(const PairOptions& options) {
 
 void add_pair_command(Program& program, const std::string& name, const std::string& what,
                       ExitCode (*run)(const PairOptions&), const std::string& footer) {
+  if (!program.needs(name)) return;
   const auto& [command, options] = program.add(name, what, run);
   command
       .file("P", options.p,

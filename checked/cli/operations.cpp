@@ -121,6 +121,7 @@ ExitCode complement_of(const ComplementOptions& options) {
 
 void add_operations(Program& program) {
   for (const Operation& operation : operations()) {
+    if (!program.needs(operation.name)) continue;
     const auto& [command, options] =
         program.add(operation.name, "Compute " + operation.what, operate);
     options.operation = operation;

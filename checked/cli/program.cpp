@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "checked/cli/program.hpp"
 
+#include <initializer_list>
+#include <string_view>
+#include <utility>
+
 #include "checked/cli/command_line/early_ends.hpp"
 #include "checked/cli/command_line/program_frame.hpp"
 
@@ -23,10 +27,23 @@ const ProgramFrame frame = {
     true};
 
 void add_commands(Program& program) {
-  for (const auto add :
-       {add_sum, add_compare, add_verify, add_certify, add_operations, add_complement, add_distance,
-        add_disc, add_transform, add_layout, add_batch, add_draw, add_reflect, add_repair, add_gen})
-    add(program);
+  for (const auto& [name, add] : std::initializer_list<std::pair<std::string_view, AddCommands>>{
+           {"sum", add_sum},
+           {"compare", add_compare},
+           {"verify", add_verify},
+           {"certify", add_certify},
+           {"", add_operations},
+           {"complement", add_complement},
+           {"", add_distance},
+           {"disc", add_disc},
+           {"transform", add_transform},
+           {"layout", add_layout},
+           {"batch", add_batch},
+           {"draw", add_draw},
+           {"reflect", add_reflect},
+           {"repair", add_repair},
+           {"gen", add_gen}})
+    if (name.empty() || program.needs(name)) add(program);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "checked/cli/command_line/early_ends.hpp"
 
+#include <fcntl.h>
 #include <gmp.h>
 #include <signal.h>
 #include <sys/resource.h>
@@ -10,8 +11,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdlib>
+#include <cstring>
 #include <exception>
-#include <fstream>
 #include <new>
 #include <string>
 #include <string_view>
@@ -38,18 +39,30 @@ extern "C" void* reallocate(void* old, std::size_t old_size, std::size_t size) {
 }
 extern "C" void release(void* memory, std::size_t size) { NumberMemory::release(memory, size); }
 
+/// The beginning of a file of the system, without a stream, which takes as long to start as a small sum; else empty.
+std::string beginning_of(const char* path) {
+  std::string text(4096, '\0');
+  const int file = ::open(path, O_RDONLY | O_CLOEXEC);
+  const auto length = file < 0 ? 0 : ::read(file, text.data(), text.size());
+  if (file >= 0) ::close(file);
+  text.resize(static_cast<std::size_t>(std::max<decltype(length)>(length, 0)));
+  return text;
+}
+
 /// What the machine, or the container, has left, in bytes.
 rlim_t available_memory() {
-  rlim_t kilobytes = 0, most = RLIM_INFINITY;
-  std::ifstream machine("/proc/meminfo");
-  for (std::string name, unit; machine >> name;) {
-    rlim_t value = 0;
-    if ((name == "MemAvailable:" || name == "SwapFree:") && machine >> value) kilobytes += value;
-    std::getline(machine, unit);
-  }
-  std::ifstream("/sys/fs/cgroup/memory.max") >> most;  // "max", which leaves 0, where there is none
-  if (most == 0) most = RLIM_INFINITY;
-  return kilobytes == 0 ? most : std::min(most, 1024 * kilobytes);
+  const std::string machine = beginning_of("/proc/meminfo");
+  const auto kilobytes = [&](const char* name) -> rlim_t {
+    const std::size_t place = machine.find(name);
+    return place == std::string::npos
+               ? 0
+               : std::strtoull(machine.c_str() + place + std::strlen(name), nullptr, 10);
+  };
+  const rlim_t left = 1024 * (kilobytes("MemAvailable:") + kilobytes("SwapFree:"));
+  // "max", which is read as 0, where there is none.
+  const std::string container = beginning_of("/sys/fs/cgroup/memory.max");
+  const rlim_t most = std::strtoull(container.c_str(), nullptr, 10);
+  return std::min(left == 0 ? RLIM_INFINITY : left, most == 0 ? RLIM_INFINITY : most);
 }
 
 /// An allocation then fails, where the system would end the program, or another one, without a word.

@@ -5,7 +5,9 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <vector>
 
@@ -130,6 +132,12 @@ struct CommandWith {
 /// A program, while its commands are described.
 struct Program {
   CLI::App& app;
+
+  /// The name of the only command that is needed, since describing all takes longer than a small sum; else none.
+  std::optional<std::string> only = std::nullopt;
+
+  /// Whether a command of this name is to be described.
+  bool needs(std::string_view name) const { return !only || *only == name; }
 
   /// What the command that is asked for does, after all of the command line is understood. Returns the exit
   /// code.

@@ -122,15 +122,23 @@ std::vector<std::string> words_of(int argc, const char* const* argv) {
   return words;
 }
 
+/// The command that is asked for; none where help or completion may need all.
+std::optional<std::string> only_command(const std::vector<std::string>& words) {
+  if (words == std::vector<std::string>{"--version"}) return "";
+  if (words.empty() || words.front().starts_with("-")) return std::nullopt;
+  return words.front();
+}
+
 int parse_and_do(const ProgramFrame& frame, AddCommands add_commands, int argc,
                  const char* const* argv) {
   CLI::App app(frame.what, frame.name);
   set_up(app);
   app.footer("'" + frame.name + " help COMMAND' shows a command's help, as does '" + frame.name +
              " COMMAND --help'.\n\n" + frame.footer);
-  Program program{app};
+  std::vector<std::string> words = words_of(argc, argv);
+  Program program{app, only_command(words)};
   add_commands(program);
-  add_completion_command(program);
+  if (program.needs("completion")) add_completion_command(program);
   for (CLI::App* command : app.get_subcommands({})) {
     add_exit_codes(*command);
     for (CLI::App* below : command->get_subcommands({})) add_exit_codes(*below);
@@ -139,7 +147,6 @@ int parse_and_do(const ProgramFrame& frame, AddCommands add_commands, int argc,
     write_text("-", completions(app, {argv + 2, argv + argc}));
     return 0;
   }
-  std::vector<std::string> words = words_of(argc, argv);
   const std::string first_word = words.empty() ? "" : words.front();
   try {
     std::ranges::reverse(words);  // as CLI11 takes them

@@ -16,7 +16,7 @@ struct ProgramFrame {
   bool shows_commands = false;  ///< whether a terminal shows that a command goes on (ShownStep)
 };
 
-/// Adds the commands of a program.
+/// Adds the commands of a program, at least those that it needs.
 using AddCommands = void (*)(Program&);
 
 /// A whole program: its commands and `completion`; --help, --version, --quiet and --color, which may
