@@ -4,6 +4,7 @@
 From Coq Require Import QArith Lqa List.
 From Oplus Require Import regions_and_sums small_numbers shifted_ray reflected simple_chain simple_chains_turn_once
   simple_polygons naive_collision placed_collision observation_5_2_1 pairs_of_edges collision_by_pairs
+    collision_by_found_pairs
   printed_section_5_2 polygons_of_the_thesis drawn_regions drawn_sums.
 Import ListNotations.
 
@@ -45,6 +46,9 @@ Qed.
 (* Sections 5.1.1 and 5.1.2: two triangles that cross, found by a sweep and by hierarchies of boxes. *)
 Definition triangle_below : list vector := points_at [(0, 0); (2, 0); (1, 2)].
 Definition triangle_above_reflected : list vector := points_at [(0, -1); (-2, -1); (-1, -3)].
+
+Definition unit_square_here : list vector := points_at [(0, 0); (1, 0); (1, 1); (0, 1)].
+Definition unit_square_here_reflected : list vector := points_at [(0, 0); (-1, 0); (-1, -1); (0, -1)].
 
 Fixpoint some_hierarchy (s : segment) (l : list segment) : hierarchy :=
   match l with [] => OneEdge s | f :: rest => joined_hierarchies (OneEdge s) (some_hierarchy f rest) end.
@@ -99,4 +103,28 @@ Proof.
     (proj1 (proj1 triangles_are_regions)) (proj1 (proj1 (proj2 triangles_are_regions)))
     ltac:(unfold nonzero, along, minus; cbn; lra))) as (e & some & (k & number) & _).
   now exists e, k.
+Qed.
+
+(* Where boundaries run along each other: two squares, the second one moved by 1/2. *)
+Example squares_found_by_hierarchies : interiors_meet (Vector (1 # 2) 0) [unit_square_here]
+  [unit_square_here_reflected].
+Proof.
+  assert (polygons : simple_polygon unit_square_here /\ simple_polygon unit_square_here_reflected)
+    by (split; (split; [apply is_simple_decides |]; vm_compute; reflexivity)).
+  destruct polygons as [p_polygon q_polygon].
+  set (of_p := boundary_pieces [unit_square_here]).
+  set (of_q := boundary_pieces (placed (Vector 0 0) [unit_square_here_reflected])).
+  destruct (some_hierarchy_is_one (tl of_p) (hd no_segment of_p)) as [boxed_p edges_p].
+  destruct (some_hierarchy_is_one (tl of_q) (hd no_segment of_q)) as [boxed_q edges_q].
+  apply (collision_by_hierarchies_in_any_position _ _ _ _ _ (simple_polygons_are_regions _ p_polygon)
+    (simple_polygons_are_regions _ q_polygon) (simple_polygons_cover_nothing_twice _ p_polygon)
+    (simple_polygons_cover_nothing_twice _ q_polygon) boxed_p boxed_q).
+  - intros s. rewrite edges_p. now vm_compute.
+  - rewrite edges_q. intros f F. vm_compute in F.
+    assert (one : exists i, (i < length of_q)%nat /\ is_moved (Vector (1 # 2) 0) (nth i of_q no_segment) f).
+    { destruct F as [<- | [<- | [<- | [<- | []]]]];
+        [exists 0%nat | exists 1%nat | exists 2%nat | exists 3%nat]; (split; [vm_compute; repeat constructor |]);
+        split; split; vm_compute; reflexivity. }
+    destruct one as (i & I & moved_). exists (nth i of_q no_segment). split; [| exact moved_]. now apply nth_In.
+  - vm_compute. reflexivity.
 Qed.
