@@ -4,8 +4,7 @@
    hierarchies of boxes do (pairs_of_edges.v), the test returns what it returns by looking at all pairs. *)
 From Coq Require Import ZArith Lia Bool List.
 From Oplus Require Import numbers regions_and_sums location pieces naive_collision met_pieces collision_is_sound
-  collision_is_complete placed_collision interiors_meet pairs_of_edges
-  collision_by_pairs.
+  collision_is_complete placed_collision interiors_meet pairs_of_edges collision_by_pairs.
 Import ListNotations.
 
 Open Scope Q_scope.

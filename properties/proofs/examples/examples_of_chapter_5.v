@@ -4,8 +4,7 @@
 From Coq Require Import QArith Lqa List.
 From Oplus Require Import regions_and_sums small_numbers shifted_ray reflected simple_chain simple_chains_turn_once
   simple_polygons naive_collision placed_collision observation_5_2_1 pairs_of_edges collision_by_pairs
-    collision_by_found_pairs
-  printed_section_5_2 polygons_of_the_thesis drawn_regions drawn_sums.
+  collision_by_found_pairs printed_section_5_2 polygons_of_the_thesis drawn_regions drawn_sums.
 Import ListNotations.
 
 Open Scope Q_scope.
