@@ -4,7 +4,7 @@
 From Coq Require Import QArith Lqa List.
 From Oplus Require Import regions_and_sums small_numbers shifted_ray reflected simple_chain simple_chains_turn_once
   simple_polygons naive_collision placed_collision observation_5_2_1 pairs_of_edges collision_by_pairs
-  collision_by_found_pairs printed_section_5_2 polygons_of_the_thesis drawn_regions drawn_sums.
+  printed_section_5_1_2 printed_section_5_2 polygons_of_the_thesis drawn_regions drawn_sums.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -111,19 +111,10 @@ Proof.
   assert (polygons : simple_polygon unit_square_here /\ simple_polygon unit_square_here_reflected)
     by (split; (split; [apply is_simple_decides |]; vm_compute; reflexivity)).
   destruct polygons as [p_polygon q_polygon].
-  set (of_p := boundary_pieces [unit_square_here]).
-  set (of_q := boundary_pieces (placed (Vector 0 0) [unit_square_here_reflected])).
+  set (of_p := region_edges [unit_square_here]).
+  set (of_q := map (reflected (Vector 0 0)) (region_edges [unit_square_here_reflected])).
   destruct (some_hierarchy_is_one (tl of_p) (hd no_segment of_p)) as [boxed_p edges_p].
   destruct (some_hierarchy_is_one (tl of_q) (hd no_segment of_q)) as [boxed_q edges_q].
-  apply (collision_by_hierarchies_in_any_position _ _ _ _ _ (simple_polygons_are_regions _ p_polygon)
-    (simple_polygons_are_regions _ q_polygon) (simple_polygons_cover_nothing_twice _ p_polygon)
-    (simple_polygons_cover_nothing_twice _ q_polygon) boxed_p boxed_q).
-  - intros s. rewrite edges_p. now vm_compute.
-  - rewrite edges_q. intros f F. vm_compute in F.
-    assert (one : exists i, (i < length of_q)%nat /\ is_moved (Vector (1 # 2) 0) (nth i of_q no_segment) f).
-    { destruct F as [<- | [<- | [<- | [<- | []]]]];
-        [exists 0%nat | exists 1%nat | exists 2%nat | exists 3%nat]; (split; [vm_compute; repeat constructor |]);
-        split; split; vm_compute; reflexivity. }
-    destruct one as (i & I & moved_). exists (nth i of_q no_segment). split; [| exact moved_]. now apply nth_In.
-  - vm_compute. reflexivity.
+  apply (section_5_1_2_as_printed _ _ _ _ p_polygon q_polygon boxed_p boxed_q edges_p edges_q).
+  vm_compute. reflexivity.
 Qed.
