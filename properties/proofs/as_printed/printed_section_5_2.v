@@ -2,9 +2,8 @@
 (* Section 5.2: a ray that starts directly to the right of an edge gives the same winding number of the convolution as
    going from face to face, from the unbounded face inwards. The rules of such a traversal are these: the unbounded face
    has the number 0; all of a face has one number; and who crosses edges adds the signed crossings, of edges that
-   overlap one by one. In whatever order faces are visited, breadth first or not, by Observation 4.2.5
-     (signed_crossings.v)
-   each gets its winding number; and what the ray counts is that of the points close enough to the edge
+   overlap one by one. In whatever order faces are visited, breadth first or not, by Observation 4.2.5 each gets its
+   winding number (signed_crossings.v); and what the ray counts is that of the points close enough to the edge
    (shifted_ray.v). *)
 From Coq Require Import ZArith Lia Bool List.
 From Oplus Require Import numbers winding small_numbers shifted_ray signed_crossings meeting_of_segments first_hit

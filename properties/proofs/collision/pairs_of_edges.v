@@ -1,12 +1,10 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Which edges of P meet which of -Q + x: three ways to find these pairs, which find the same (Sections 5.1, 5.1.1 and
-   5.1.2). All pairs may be tested. Or hierarchies of boxes are built, once, of the edges of P and of those of -Q;
-     for each x the
-   second one is moved by x, and where two boxes do not overlap nothing below them is looked at. Or a line is swept over
-   all edges, which meets them in the order of their lower ends; each one is tested with those that the line still
-     meets.
-   Edges that have a point in common have boxes that overlap there, and so have all boxes around them; and the line
-   meets both at the height of the point. *)
+   5.1.2). All pairs may be tested. Or hierarchies of boxes are built, once, of the edges of P and of those of -Q; for
+   each x the second one is moved by x, and where two boxes do not overlap nothing below them is looked at. Or a line is
+   swept over all edges, which meets them in the order of their lower ends; each one is tested with those that the line
+   still meets. Edges that have a point in common have boxes that overlap there, and so have all boxes around them; and
+   the line meets both at the height of the point. *)
 From Coq Require Import ZArith Lia Bool List Permutation.
 From Oplus Require Import numbers convolution meeting_of_segments regions.
 Import ListNotations.
@@ -142,8 +140,7 @@ Section Pairs.
     cbn [low_corner high_corner vx vy] in *. lra.
   Qed.
 
-  (* Theorem. *)
-  Theorem hierarchies_find_all_pairs (t u : hierarchy) : is_boxed t -> is_boxed u -> forall s f,
+  Lemma pairs_of_hierarchies (t u : hierarchy) : is_boxed t -> is_boxed u -> forall s f,
     In (s, f) (pairs_by_hierarchy t u) <-> In (s, f) (all_pairs_tested (edges_of_hierarchy t) (edges_of_hierarchy u)).
   Proof.
     intros T U s f. unfold all_pairs_tested. rewrite filter_In, in_prod_iff. cbn [fst snd]. revert u T U.
@@ -193,7 +190,8 @@ Section Pairs.
         flat_map (pair_of e) still_met ++ pairs_by_sweep rest (e :: still_met)
     end.
 
-  Definition in_order (events : list swept_edge) : Prop := ForallOrdPairs (fun e f => low_end e <= low_end f) events.
+  Definition are_swept_upwards (events : list swept_edge) : Prop :=
+    ForallOrdPairs (fun e f => low_end e <= low_end f) events.
 
   Lemma edges_that_meet_are_met_together (s t : segment) : meet s t = true ->
     low_end (true, s) <= high_end (false, t) /\ low_end (false, t) <= high_end (true, s).
@@ -217,7 +215,7 @@ Section Pairs.
   Qed.
 
   (* Those met are all that may meet what comes. *)
-  Lemma sweep_finds (s t : segment) : meet s t = true -> forall events met, in_order events ->
+  Lemma sweep_finds (s t : segment) : meet s t = true -> forall events met, are_swept_upwards events ->
     (In (s, t) (pairs_by_sweep events met) <->
      (In (true, s) events \/ In (true, s) met) /\ (In (false, t) events \/ In (false, t) met) /\
      (In (true, s) events \/ In (false, t) events)).
@@ -243,8 +241,7 @@ Section Pairs.
     rewrite found. clear found order order' IH first_ still_is. intuition (subst; try congruence; tauto).
   Qed.
 
-  (* Theorem. *)
-  Theorem sweep_finds_all_pairs (of_p of_q : list segment) (events : list swept_edge) : in_order events ->
+  Lemma pairs_of_sweeps (of_p of_q : list segment) (events : list swept_edge) : are_swept_upwards events ->
     Permutation events (map (pair true) of_p ++ map (pair false) of_q) -> forall s f,
     In (s, f) (pairs_by_sweep events []) <-> In (s, f) (all_pairs_tested of_p of_q).
   Proof.
@@ -263,3 +260,18 @@ Section Pairs.
       intros found. destruct (none _ _ found).
   Qed.
 End Pairs.
+
+(* Theorem. *)
+Theorem hierarchies_find_all_pairs (x : vector) (meet : segment -> segment -> bool) (t u : hierarchy) :
+  (forall s f, meet s f = true -> do_meet x s f) -> is_boxed t -> is_boxed u -> forall s f,
+  In (s, f) (pairs_by_hierarchy x meet t u) <->
+  In (s, f) (all_pairs_tested meet (edges_of_hierarchy t) (edges_of_hierarchy u)).
+Proof. intros sound. exact (pairs_of_hierarchies x meet sound t u). Qed.
+
+(* Theorem. *)
+Theorem sweep_finds_all_pairs (x : vector) (meet : segment -> segment -> bool) (of_p of_q : list segment)
+    (events : list swept_edge) :
+  (forall s f, meet s f = true -> do_meet x s f) -> are_swept_upwards x events ->
+  Permutation events (map (pair true) of_p ++ map (pair false) of_q) -> forall s f,
+  In (s, f) (pairs_by_sweep x meet events []) <-> In (s, f) (all_pairs_tested meet of_p of_q).
+Proof. intros sound. exact (pairs_of_sweeps x meet sound of_p of_q events). Qed.

@@ -91,7 +91,7 @@ Proof.
 Qed.
 
 (* A bar across the two arms of the letter U meets it in two components. *)
-Example two_components : has_components (fun z => in_region z region_of_letter_u /\ in_reflected origin bar z) 2.
+Example bar_in_two_components : has_components (fun z => in_region z region_of_letter_u /\ in_reflected origin bar z) 2.
 Proof.
   destruct (theorem_4_2_14_in_general_position (hd [] region_of_letter_u) (hd [] bar) origin) as (k & components &
     number).

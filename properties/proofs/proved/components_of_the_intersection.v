@@ -8,8 +8,8 @@
 From Coq Require Import QArith Qminmax Lqa ZArith Lia Bool List Permutation.
 From Oplus Require Import regions_and_sums small_numbers simple_chain simple_chains_turn_once
   winding_numbers_of_simple_chains left_of_an_edge interiors_meet valid_components coordinates polygons_of_the_thesis
-  connected_sets filling kept_pieces_go_round cut_pieces rule_of_sides region_of_pieces nested_chains
-  edges_of_polygons edges_of_the_intersection chains_of_the_intersection connected_beside_pieces first_on_the_way
+  connected_sets filling kept_pieces_go_round cut_pieces rule_of_sides region_of_pieces nested_chains edges_of_polygons
+  edges_of_the_intersection chains_of_the_intersection connected_beside_pieces first_on_the_way
   no_holes_in_the_intersection points_of_the_intersection.
 Import ListNotations.
 
@@ -93,9 +93,8 @@ Section TwoPolygons.
       meets' & at_h').
     assert (same_ : h = h').
     { apply (one_piece_starts a b a_polygon b_polygon a_off b_off do_cross crossings g h g' h'
-      (edges_of_chain_are_kept c C g G)
-        (edges_of_chain_are_kept c C h H) (edges_of_chain_are_kept d D g' G') (edges_of_chain_are_kept d D h' H')
-          meets meets').
+        (edges_of_chain_are_kept c C g G) (edges_of_chain_are_kept c C h H) (edges_of_chain_are_kept d D g' G')
+        (edges_of_chain_are_kept d D h' H') meets meets').
       now rewrite at_h. }
     subst h'. exact (once h H H').
   Qed.

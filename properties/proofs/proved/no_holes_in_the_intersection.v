@@ -6,10 +6,9 @@
 From Coq Require Import QArith Qminmax Lqa ZArith Lia Bool List Permutation.
 From Oplus Require Import regions_and_sums small_numbers simple_chain simple_chains_turn_once
   winding_numbers_of_simple_chains edges_of_valid_regions left_of_an_edge interiors_meet inside_a_corner
-    complement_in_a_frame
-  polygons_of_the_thesis connected_sets naive_collision collision_is_sound met_pieces beside_a_piece filling
-  kept_pieces_go_round cut_pieces rule_of_sides region_of_pieces valid_regions_are_accepted edges_of_polygons
-  just_right_of_a_piece edges_of_the_intersection connected_beside_pieces inside_and_outside.
+  complement_in_a_frame polygons_of_the_thesis connected_sets naive_collision collision_is_sound met_pieces
+  beside_a_piece filling kept_pieces_go_round cut_pieces rule_of_sides region_of_pieces valid_regions_are_accepted
+  edges_of_polygons just_right_of_a_piece edges_of_the_intersection connected_beside_pieces inside_and_outside.
 Import ListNotations.
 
 Open Scope Q_scope.

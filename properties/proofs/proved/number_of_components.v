@@ -5,12 +5,11 @@
    (components_of_the_intersection.v). Where x is off the original convolution, but not in general position, this is so
    for all x in general position close by. *)
 From Coq Require Import QArith Qminmax Lqa ZArith Lia Bool List Permutation.
-From Oplus Require Import regions_and_sums simple_chain simple_chains_turn_once
-  meeting_of_segments theorem_4_2_1 turning_number replaced_segments lemma_4_2_13 size_of_valid_regions
-    polygons_of_the_thesis
-  connected_sets placed_collision reflected walks region_of_pieces neighbourhoods edges_of_the_intersection
-  reflected_polygons boundary_of_the_intersection chains_of_the_intersection connected_beside_pieces
-  points_of_the_intersection components_of_the_intersection.
+From Oplus Require Import regions_and_sums simple_chain simple_chains_turn_once meeting_of_segments theorem_4_2_1
+  turning_number replaced_segments lemma_4_2_13 size_of_valid_regions polygons_of_the_thesis connected_sets
+  placed_collision reflected walks region_of_pieces neighbourhoods edges_of_the_intersection reflected_polygons
+  boundary_of_the_intersection chains_of_the_intersection connected_beside_pieces points_of_the_intersection
+  components_of_the_intersection.
 Import ListNotations.
 
 Open Scope Q_scope.
