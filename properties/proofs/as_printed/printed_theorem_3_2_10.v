@@ -1,7 +1,7 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Theorem 3.2.10 as printed: through an isolated vertex there are segments of the convolution of at least three
-   directions, passing or ending there. P and Q are open (Section 3.2.4); an isolated vertex (Definition 3.2.9) is not in
-   their sum, but all points near it are. It may be a sum of two vertices, where any number of chains touch. Whatever
+   directions, passing or ending there. P and Q are open (Section 3.2.4); an isolated vertex (Definition 3.2.9) is not
+   in their sum, but all points near it are. It may be a sum of two vertices, where any number of chains touch. Whatever
    direction n one goes from it, a segment that covers it has n to its left (segments_left_of_a_step.v). Take one, d1;
    then one that has d1 to its left, and one that has -d1 to its left: these are three directions. *)
 From Coq Require Import QArith Lqa List.

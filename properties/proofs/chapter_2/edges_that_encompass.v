@@ -22,7 +22,7 @@ Definition nothing_between (r : region) (u a b : vector) : Prop :=
     (departs u s = true /\ c = along s) \/ (arrives u s = true /\ c = opposite (along s)) ->
     ccw (Direction c OfQ) (Direction a OfQ) (Direction b OfQ) = false.
 
-(* Of the edges of r at u, f comes to it and g leaves it, and d is directly between them, in the one way or the other. *)
+(* Of the edges of r at u, f comes to it and g leaves it, and d is directly between them, one way or the other. *)
 Definition directly_encompass (r : region) (u d : vector) (f g : segment) : Prop :=
   In f (region_edges r) /\ arrives u f = true /\ In g (region_edges r) /\ departs u g = true /\
   ((is_met_from_to (opposite (along f)) d (along g) /\ nothing_between r u (opposite (along f)) (along g)) \/
@@ -92,7 +92,8 @@ Proof.
   destruct found as (v & right_v & left_v). apply (none_right v right_v).
   destruct (some_square u q) as (radius & near). pose proof near as [R _]. assert (half : 0 < (1 # 2) * radius) by lra.
   destruct (some_small _ (eventually_and _ _ (goes_ahead_from u g g_leaves) (eventually_and _ _
-    (small_steps_stay_within _ u h half) (leaves_all_vertices q u h long_g)))) as (k & some_k & on_g & close_k & free_g).
+    (small_steps_stay_within _ u h half) (leaves_all_vertices q u h long_g))))
+    as (k & some_k & on_g & close_k & free_g).
   fold h in on_g. pose proof q_region as (q_edges & q_valid & q_meet).
   destruct (some_small _ (eventually_and _ _ (left_of_an_edge_is_inside q g _ v q_valid q_meet G on_g free_g left_v)
     (small_steps_stay_within _ (moved_along u h k) v half))) as (m & some_m & (free_z & round) & close_m).

@@ -6,8 +6,8 @@
    So left_of_a_covered_edge.v says which edge is covered. *)
 From Coq Require Import QArith Qminmax Lqa ZArith Lia Bool List.
 From Oplus Require Import regions_and_sums reflected parallelogram boundary_points inside_a_corner edges_at_a_point
-  fans_that_touch reduced_convolution pieces naive_collision beside_a_piece collision_is_sound contacts_that_stay coordinates chains_that_do_not_cross
-  right_one_of_two_edges left_of_a_covered_edge.
+  fans_that_touch reduced_convolution pieces naive_collision beside_a_piece collision_is_sound contacts_that_stay
+  coordinates chains_that_do_not_cross right_one_of_two_edges left_of_a_covered_edge.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -71,11 +71,13 @@ Section Contacts.
         as (e & some_e & [in_z near_z] & [in_y near_y]).
       exists (moved_along z m e), (moved_along y (opposite m) e).
       split; [exact near_z |]. split; [exact near_y |]. split; [exact in_z |]. split; [exact in_y |].
-      split; [destruct equal as [X Y]; unfold plus, moved_along, opposite in *; cbn [vx vy] in *; split; cbn [vx vy]; lra |].
+      split; [destruct equal as [X Y]; unfold plus, moved_along, opposite in *; cbn [vx vy] in *; split; cbn [vx vy];
+        lra |].
       assert (value : cross (minus (moved_along z m e) w) (minus (moved_along y (opposite m) e) u) ==
         cross (minus z w) (minus y u) + e * cross m (minus (plus z y) (plus w u)))
         by (unfold cross, minus, plus, moved_along, opposite; cbn [vx vy]; ring).
-      rewrite value, flat. clear value. destruct equal as [X Y], sum_ as [X' Y']. pose proof (square_positive n long) as square.
+      rewrite value, flat. clear value. destruct equal as [X Y], sum_ as [X' Y'].
+      pose proof (square_positive n long) as square.
       unfold m, cross, minus, plus, moved_along, dot in *. cbn [vx vy] in *. rewrite X, Y, <- X', <- Y'.
       intros none. assert (0 < e * t * (vx n * vx n + vy n * vy n)) by (apply Qmult_lt_0_compat; [nra | lra]). lra. }
     clear z y close_z close_y in_p in_q equal.
@@ -94,7 +96,8 @@ Section Contacts.
       1: unfold cross in *; lra.
       + right. apply (step_by_length q p _ (plus (minus y u) (minus z w)) t some);
           [rewrite <- step_x | rewrite <- step_y |]; trivial; unfold plus; cbn [vx vy]; ring.
-      + left. replace (other (other label)) with label in met_ by now destruct label. apply (step_by_length p q _ (plus (minus y u) (minus z w)) t some);
+      + left. replace (other (other label)) with label in met_ by now destruct label.
+        apply (step_by_length p q _ (plus (minus y u) (minus z w)) t some);
           [rewrite <- step_x | rewrite <- step_y |]; trivial; unfold plus; cbn [vx vy]; ring.
     - destruct (left_of_a_met_edge p q x w u (minus z w) (minus y u) label r1 r2) as [met_ | met_]; trivial.
       1, 2, 3: clear - close_z close_y H H0; unfold within, plus, minus, opposite in *; cbn [vx vy] in *; lra.
@@ -168,7 +171,8 @@ Section Contacts.
     assert (sum_ : equal_vectors x (plus w u)).
     { assert (both : vx base == k * vx A + l * vx B /\ vy base == k * vy A + l * vy B)
         by (unfold k, l, cross; split; field; exact turn).
-      clear - both. unfold w, u, base, A, B, point_at, along, plus, minus in *. cbn [vx vy] in *. split; cbn [vx vy]; lra. }
+      clear - both. unfold w, u, base, A, B, point_at, along, plus, minus in *. cbn [vx vy] in *.
+      split; cbn [vx vy]; lra. }
     destruct (inner_points_at_a_contact w u sum_) as (radius & R & found).
     refine (eventually_implied _ _ _ (eventually_and _ _ (eventually_below 1 ltac:(lra))
       (eventually_and _ _ (small_steps_stay_within ((1 # 2) * radius) w (Vector (dk * vx A) (dk * vy A)) ltac:(lra))

@@ -3,8 +3,10 @@
    with all three vertices; and two pairs of triangles, each pair touching in one point, that fit between each other, so
    that chains of both touch there. And Observation 3.1.5 for a loop around the first one. *)
 From Coq Require Import QArith Lqa List Bool ZArith.
-From Oplus Require Import convolution convolution_winding regions meeting_of_segments interiors_meet neighbourhoods left_of_an_edge
-  theorem_4_2_1 valid_components simple_polygons inside_a_corner boundary_points simple_chain edges_at_a_point reduced_edges_that_pass test_of_regions small_regions collision_is_complete checked_collision theorem_3_2_10 chains_that_do_not_cross
+From Oplus Require Import convolution convolution_winding regions meeting_of_segments interiors_meet neighbourhoods
+  left_of_an_edge theorem_4_2_1 valid_components simple_polygons inside_a_corner boundary_points simple_chain
+  edges_at_a_point reduced_edges_that_pass test_of_regions small_regions collision_is_complete checked_collision
+  theorem_3_2_10 chains_that_do_not_cross
   printed_theorem_3_2_10 small_polygons polygons_of_the_thesis drawn_regions drawn_sums refuted_observation_3_1_5.
 Import ListNotations.
 

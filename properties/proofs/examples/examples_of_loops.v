@@ -1,13 +1,13 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* The theorems of Chapter 3 on the loops of the boundary, on Algorithm 1 and on dangling edges as the thesis prints
    them, applied to regions that one can draw. *)
-From Coq Require Import QArith Qminmax Lqa ZArith Lia Bool List.
+From Coq Require Import QArith Qminmax Lqa ZArith Lia Bool List Permutation.
 From Oplus Require Import regions_and_sums simple_chain simple_chains_turn_once angle inside_a_corner theorem_2_2_10
   lemma_2_2_2 observation_2_2_4 filling interiors_meet parallelogram reduced_convolution polygons_of_the_thesis
   printed_lemma_2_2_2 drawn_regions drawn_sums connected_sets refuted_definition_2_1_9 refuted_corollary_3_1_3
   faces_of_the_sum chains_of_faces loops_of_the_boundary algorithm_1 arranged_convolution arrangement_of_the_convolution
   printed_lemma_3_1_2 printed_observation_3_1_4 printed_observation_3_2_4 printed_observation_3_2_5
-  printed_theorem_3_2_8 refuted_observation_3_1_5.
+  printed_theorem_3_2_8 printed_observation_3_2_6 refuted_observation_3_1_5.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -32,6 +32,25 @@ Qed.
 Example an_external_loop_and_a_hole :
   map is_counterclockwise (boundary_loops [room_with_a_slit] [unit_square]) = [true; false].
 Proof. vm_compute. reflexivity. Qed.
+
+(* Observation 3.2.6. And so it is by the theorem: one external loop, and holes in it. *)
+Example one_loop_is_external : exists outer_ holes,
+  Permutation (boundary_loops [room_with_a_slit] [unit_square]) (outer_ :: holes) /\
+  is_counterclockwise outer_ = true /\ forall h, In h holes -> is_counterclockwise h = false /\ encloses outer_ h.
+Proof. apply observation_3_2_6_as_printed; apply they_are_polygons. Qed.
+
+Example paths_in_the_sum : connected_in (fun z => in_sum z [room_with_a_slit] [unit_square])
+  (plus (Vector 0 0) (Vector 1 1)) (plus (Vector 6 0) (Vector 0 0)).
+Proof.
+  assert (corner : forall chain i, (i < length chain)%nat -> in_region (nth i chain nowhere) [chain]).
+  { intros chain i I. right. exists (edge_at chain i). split; [apply edge_at_in_region; [now left | exact I] |].
+    rewrite edge_at_is by exact I. apply (source_lies_on (Segment _ _)). }
+  apply observation_3_2_6_as_printed; [apply they_are_polygons .. | |].
+  - exists (Vector 0 0), (Vector 1 1). split; [apply (corner room_with_a_slit 0%nat); cbn; lia |].
+    split; [apply (corner unit_square 2%nat); cbn; lia | reflexivity].
+  - exists (Vector 6 0), (Vector 0 0). split; [apply (corner room_with_a_slit 1%nat); cbn; lia |].
+    split; [apply (corner unit_square 0%nat); cbn; lia | reflexivity].
+Qed.
 
 Example loops_are_nested : exists loops : list (list vector),
   (forall a b, In a loops -> In b loops -> directly_encloses loops a b ->

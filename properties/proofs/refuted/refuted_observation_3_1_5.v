@@ -4,9 +4,9 @@
    sum. P is a square with a triangular hole, Q the triangle that, reflected, just fits into the hole, at x = (0, 0):
    there they only touch, and (0, 0) is a vertex of a false loop. What holds is said of points inside edges: none of
    them is on the boundary of the sum, all are inner points of it. For if one edge of a loop is on the boundary, so are
-   all that follow (Observation 3.2.4), and that is all of the loop. And P and -Q + x collide there, sums of two vertices
-   included (segments_left_of_a_step.v), unless the edge runs along another one of the opposite direction, where the sum
-   of the open polygons can have a dangling edge (Theorem 3.2.8). *)
+   all that follow (Observation 3.2.4), and that is all of the loop. And P and -Q + x collide there, sums of two
+   vertices included (segments_left_of_a_step.v), unless the edge runs along another one of the opposite direction,
+   where the sum of the open polygons can have a dangling edge (Theorem 3.2.8). *)
 From Coq Require Import QArith Lqa ZArith Lia Bool List Permutation.
 From Oplus Require Import regions_and_sums simple_chain simple_chains_turn_once simple_polygons valid_components
   winding_numbers_of_valid_regions test_of_components theorem_2_2_10 theorem_2_2_6 parallelogram inside_a_corner

@@ -3,8 +3,8 @@
    that w + alpha is inside P and u + beta inside Q. Then an edge at the contact has this step to its left, and is met
    there by the other region (right_one_of_two_edges.v): so a segment of the convolution covers x that has the step to
    its left. Say beta is to the left of alpha. Between beta and -alpha, Q ends, by an edge b that comes to u; between b
-   and alpha P begins, by an edge a that leaves w. If Q has a not in a tangent set, the pass of b goes on between b and a,
-   to the right of a. Chains may touch, but not cross. *)
+   and alpha P begins, by an edge a that leaves w. If Q has a not in a tangent set, the pass of b goes on between b and
+   a, to the right of a. Chains may touch, but not cross. *)
 From Coq Require Import ZArith Lia Bool List.
 From Oplus Require Import numbers convolution signed_crossings tie_rule convolution_winding regions weight finite_sums
   tangent_count meeting_of_segments neighbourhoods winding_number_of_the_sum interiors_meet left_of_an_edge
@@ -26,7 +26,8 @@ Lemma covered_to_the_right (p q : region) (x n : vector) : valid_region p -> val
 Proof.
   intros p_region q_region met_.
   assert (covered : exists d, covered_along p q x d /\ 0 < cross d n).
-  { destruct met_ as [(w & u & e & sum_ & E & on & [(f & F & on_f & same_) | (chain & j & C & J & at_ & tangent)] & left_) |
+  { destruct met_ as
+     [(w & u & e & sum_ & E & on & [(f & F & on_f & same_) | (chain & j & C & J & at_ & tangent)] & left_) |
       (u & w & f & sum_ & F & on & [(e & E & on_e & same_) | (chain & i & C & I & at_ & tangent)] & left_)];
       [exists (along e) | exists (along e) | exists (along f) | exists (along f)]; (split; [| exact left_]).
     - destruct (common_direction_is_a_tie p q x w u p_region q_region sum_ e f E F on on_f same_)
@@ -83,50 +84,6 @@ Section Contact.
     split; [exact free' |]. pose proof (proj1 (proj2 q_region) v free') as not_negative.
     destruct (Z.eq_dec (winding_number v (region_edges q)) 0) as [| some_]; [assumption |]. destruct free. left.
     unfold in_region. lia.
-  Qed.
-
-  (* From direction a to direction b the winding number falls, so an edge arrives between; or rises, so one departs. *)
-  Lemma arrives_between (r : region) (v a b : vector) (radius : Q) : no_edges_are_points r ->
-    nothing_else_near v radius r -> 0 < cross a b -> within radius v (plus v a) -> within radius v (plus v b) ->
-    off (plus v a) (region_edges r) -> off (plus v b) (region_edges r) ->
-    (winding_number (plus v b) (region_edges r) < winding_number (plus v a) (region_edges r))%Z ->
-    exists h, In h (region_edges r) /\ arrives v h = true /\ is_amid a b (opposite (along h)) = true.
-  Proof.
-    intros not_points near left_ close_a close_b free_a free_b falls.
-    pose proof (winding_number_around_the_point r v a b radius not_points near left_ close_a close_b free_a free_b)
-      as change_.
-    destruct (one_or_all (exists h, In h (region_edges r) /\ arrives v h = true /\ is_amid a b (opposite (along h)) = true)
-      (fun h => arrives v h = true -> is_amid a b (opposite (along h)) = false) (region_edges r))
-      as [| no_one]; [| assumption | exfalso].
-    { intros h H. destruct (arrives v h) eqn:there; [| now right].
-      destruct (is_amid a b (opposite (along h))) eqn:amid_; [left; now exists h | now right]. }
-    assert (more : (0 <= sum_of (fun s => Z.b2z (departs v s) * Z.b2z (is_amid a b (along s)) -
-        Z.b2z (arrives v s) * Z.b2z (is_amid a b (opposite (along s))))%Z (region_edges r))%Z); [| lia].
-    apply sum_is_not_negative. intros s S. specialize (no_one s S).
-    destruct (arrives v s); [rewrite (no_one eq_refl) |]; destruct (departs v s), (is_amid a b (along s));
-      cbn [Z.b2z]; lia.
-  Qed.
-
-  Lemma departs_between (r : region) (v a b : vector) (radius : Q) : no_edges_are_points r ->
-    nothing_else_near v radius r -> 0 < cross a b -> within radius v (plus v a) -> within radius v (plus v b) ->
-    off (plus v a) (region_edges r) -> off (plus v b) (region_edges r) ->
-    (winding_number (plus v a) (region_edges r) < winding_number (plus v b) (region_edges r))%Z ->
-    exists h, In h (region_edges r) /\ departs v h = true /\ is_amid a b (along h) = true.
-  Proof.
-    intros not_points near left_ close_a close_b free_a free_b rises.
-    pose proof (winding_number_around_the_point r v a b radius not_points near left_ close_a close_b free_a free_b)
-      as change_.
-    destruct (one_or_all (exists h, In h (region_edges r) /\ departs v h = true /\ is_amid a b (along h) = true)
-      (fun h => departs v h = true -> is_amid a b (along h) = false) (region_edges r))
-      as [| no_one]; [| assumption | exfalso].
-    { intros h H. destruct (departs v h) eqn:there; [| now right].
-      destruct (is_amid a b (along h)) eqn:amid_; [left; now exists h | now right]. }
-    assert (less : (0 <= sum_of (fun s => Z.b2z (arrives v s) * Z.b2z (is_amid a b (opposite (along s))) -
-        Z.b2z (departs v s) * Z.b2z (is_amid a b (along s)))%Z (region_edges r))%Z).
-    { apply sum_is_not_negative. intros s S. specialize (no_one s S).
-      destruct (departs v s); [rewrite (no_one eq_refl) |]; destruct (arrives v s), (is_amid a b (opposite (along s)));
-        cbn [Z.b2z]; lia. }
-    rewrite sum_minus in less, change_. lia.
   Qed.
 
   Let n := plus alpha beta.

@@ -5,7 +5,8 @@
    cross if one chain comes from the left of the other and goes on to its right, or the other way round. And a test by
    computation, for examples. *)
 From Coq Require Import Lia Bool List.
-From Oplus Require Import numbers convolution signed_crossings location regions meeting_of_segments left_of_an_edge winding_number_of_the_sum neighbourhoods theorem_4_2_1
+From Oplus Require Import numbers convolution signed_crossings location regions meeting_of_segments left_of_an_edge
+  winding_number_of_the_sum neighbourhoods theorem_4_2_1
   interiors_meet simple_chain boundary_points fans_that_touch edges_at_a_point reduced_edges_that_pass.
 Import ListNotations.
 
@@ -73,7 +74,8 @@ Section Passes.
       + split; apply (Qmult_inj_r _ _ (1 - k)); lra.
     - destruct (at_vertex_of_chain r chain j u not_points C J equal) as (_ & leaves & comes). split.
       + exists (edge_at chain (previous (length chain) j)). pose proof (previous_below _ _ J) as P.
-        split; [now apply edge_at_in_region |]. split; [exact comes |]. unfold edge_at. now rewrite <- direction_by_index.
+        split; [now apply edge_at_in_region |]. split; [exact comes |].
+        unfold edge_at. now rewrite <- direction_by_index.
       + exists (edge_at chain j). split; [now apply edge_at_in_region |]. split; [exact leaves |].
         unfold edge_at. now rewrite <- direction_by_index.
   Qed.
@@ -88,8 +90,8 @@ Qed.
 
 (* A test: all passes at all vertices. *)
 Definition passes_at (r : region) (u : vector) : list (vector * vector) :=
-  flat_map (fun e => if is_on_segment u e then
-      if same_place u (source e) || same_place u (target e) then [] else [(along e, along e)] else []) (region_edges r) ++
+  flat_map (fun e => if is_on_segment u e && negb (same_place u (source e) || same_place u (target e))
+      then [(along e, along e)] else []) (region_edges r) ++
   flat_map (fun chain => flat_map (fun j => if same_place u (vertex chain j)
       then [(edge_of_chain chain (previous (length chain) j), edge_of_chain chain j)] else [])
     (seq 0 (length chain))) r.
@@ -111,13 +113,15 @@ Definition cross_nowhere (r : region) : bool :=
 Lemma is_left_of_pass_iff (f g v : vector) : is_left_of_pass f g v = true <-> left_of_pass f g v.
 Proof.
   unfold is_left_of_pass, left_of_pass. destruct (Qlt_le_dec (cross f g) 0) as [right_ | left_];
-    destruct (positive_spec (cross f v)), (positive_spec (cross g v)); cbn [andb orb]; intuition (try discriminate; lra).
+    destruct (positive_spec (cross f v)), (positive_spec (cross g v)); cbn [andb orb];
+    intuition (try discriminate; lra).
 Qed.
 
 Lemma is_right_of_pass_iff (f g v : vector) : is_right_of_pass f g v = true <-> right_of_pass f g v.
 Proof.
   unfold is_right_of_pass, right_of_pass. destruct (Qlt_le_dec (cross f g) 0) as [right_ | left_];
-    destruct (negative_spec (cross f v)), (negative_spec (cross g v)); cbn [andb orb]; intuition (try discriminate; lra).
+    destruct (negative_spec (cross f v)), (negative_spec (cross g v)); cbn [andb orb];
+    intuition (try discriminate; lra).
 Qed.
 
 Lemma passes_are_listed (r : region) (u v f g : vector) : no_edges_are_points r -> equal_vectors v u ->
@@ -130,7 +134,8 @@ Proof.
       [| destruct free; apply (lies_on_equal u); [now symmetry | now apply strictly_inside_lies_on]].
     destruct inside_ as (k & range & X & Y), equal as [vx_ vy_].
     destruct (same_place_spec v (source e)) as [[X' Y'] |], (same_place_spec v (target e)) as [[X'' Y''] |];
-      cbn [orb]; try (now left); exfalso; apply long; unfold along, minus; cbn [vx vy]; rewrite vx_, vy_, ?X, ?Y in *.
+      cbn [orb andb negb]; try (now left); exfalso; apply long; unfold along, minus; cbn [vx vy];
+      rewrite vx_, vy_, ?X, ?Y in *.
     + split; apply (Qmult_inj_r _ _ k); lra.
     + split; apply (Qmult_inj_r _ _ k); lra.
     + split; apply (Qmult_inj_r _ _ (1 - k)); lra.
@@ -159,8 +164,8 @@ Proof.
     - exists e. split; [exact E |]. split; [now apply strictly_inside_lies_on | now split].
     - destruct no_vertex. now apply (at_vertex_of_chain r chain j u (proj1 r_region) C J). }
   destruct (on_edges _ _ first_) as (e & E & on_e & -> & ->), (on_edges _ _ second) as (e' & E' & on_e' & -> & ->).
-  destruct (in_split _ _ E) as (earlier & later & edges_are). destruct r_region as (_ & _ & meet). rewrite edges_are in E'.
-  apply in_elt_inv in E'. destruct E' as [-> | E'].
+  destruct (in_split _ _ E) as (earlier & later & edges_are). destruct r_region as (_ & _ & meet).
+  rewrite edges_are in E'. apply in_elt_inv in E'. destruct E' as [-> | E'].
   - unfold passes_cross, left_of_pass, right_of_pass, cross, opposite. cbn [vx vy]. intros crossing_. lra.
   - destruct no_vertex. exact (meet earlier e later e' u edges_are E' on_e on_e').
 Qed.

@@ -1,7 +1,7 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Where P and -Q + x touch in a point, w of P and u of Q, and their interiors do not meet: of an edge a of P that
-   leaves w and an edge b of Q that leaves u, the one to the right is covered by the convolution. Say b is to the left of
-   a. If no pass of Q through u has a in its tangent set, the pass that goes on along b comes from an edge with a
+   leaves w and an edge b of Q that leaves u, the one to the right is covered by the convolution. Say b is to the left
+   of a. If no pass of Q through u has a in its tangent set, the pass that goes on along b comes from an edge with a
    direction between a and b. Between b and -a, Q ends, since a, backwards in Q, is outside: there an edge h of Q comes
    in. The pass along h goes on between h and a. But then these two passes cross. *)
 From Coq Require Import ZArith Lia Bool List.
@@ -31,6 +31,51 @@ Proof.
   rewrite back_f, back_g. clear back_f back_g none long_d long_f long_g.
   assert (f_to_g : 0 <= cross f g \/ (cross f g < 0 /\ (-2 < angle g - angle f < 0 \/ 2 < angle g - angle f))) by lra.
   split; intros side; split; apply Qnot_le_lt || apply Qnot_lt_le; intros other_way; lra.
+Qed.
+
+(* From direction a to direction b the winding number falls, so an edge arrives between; or rises, so one departs. *)
+Lemma arrives_between (r : region) (v a b : vector) (radius : Q) : no_edges_are_points r ->
+  nothing_else_near v radius r -> 0 < cross a b -> within radius v (plus v a) -> within radius v (plus v b) ->
+  off (plus v a) (region_edges r) -> off (plus v b) (region_edges r) ->
+  (winding_number (plus v b) (region_edges r) < winding_number (plus v a) (region_edges r))%Z ->
+  exists h, In h (region_edges r) /\ arrives v h = true /\ is_amid a b (opposite (along h)) = true.
+Proof.
+  intros not_points near left_ close_a close_b free_a free_b falls.
+  pose proof (winding_number_around_the_point r v a b radius not_points near left_ close_a close_b free_a free_b)
+    as change_.
+  destruct (one_or_all (exists h, In h (region_edges r) /\ arrives v h = true /\
+      is_amid a b (opposite (along h)) = true)
+    (fun h => arrives v h = true -> is_amid a b (opposite (along h)) = false) (region_edges r))
+    as [| no_one]; [| assumption | exfalso].
+  { intros h H. destruct (arrives v h) eqn:there; [| now right].
+    destruct (is_amid a b (opposite (along h))) eqn:amid_; [left; now exists h | now right]. }
+  assert (more : (0 <= sum_of (fun s => Z.b2z (departs v s) * Z.b2z (is_amid a b (along s)) -
+      Z.b2z (arrives v s) * Z.b2z (is_amid a b (opposite (along s))))%Z (region_edges r))%Z); [| lia].
+  apply sum_is_not_negative. intros s S. specialize (no_one s S).
+  destruct (arrives v s); [rewrite (no_one eq_refl) |]; destruct (departs v s), (is_amid a b (along s));
+    cbn [Z.b2z]; lia.
+Qed.
+
+Lemma departs_between (r : region) (v a b : vector) (radius : Q) : no_edges_are_points r ->
+  nothing_else_near v radius r -> 0 < cross a b -> within radius v (plus v a) -> within radius v (plus v b) ->
+  off (plus v a) (region_edges r) -> off (plus v b) (region_edges r) ->
+  (winding_number (plus v a) (region_edges r) < winding_number (plus v b) (region_edges r))%Z ->
+  exists h, In h (region_edges r) /\ departs v h = true /\ is_amid a b (along h) = true.
+Proof.
+  intros not_points near left_ close_a close_b free_a free_b rises.
+  pose proof (winding_number_around_the_point r v a b radius not_points near left_ close_a close_b free_a free_b)
+    as change_.
+  destruct (one_or_all (exists h, In h (region_edges r) /\ departs v h = true /\ is_amid a b (along h) = true)
+    (fun h => departs v h = true -> is_amid a b (along h) = false) (region_edges r))
+    as [| no_one]; [| assumption | exfalso].
+  { intros h H. destruct (departs v h) eqn:there; [| now right].
+    destruct (is_amid a b (along h)) eqn:amid_; [left; now exists h | now right]. }
+  assert (less : (0 <= sum_of (fun s => Z.b2z (arrives v s) * Z.b2z (is_amid a b (opposite (along s))) -
+      Z.b2z (departs v s) * Z.b2z (is_amid a b (along s)))%Z (region_edges r))%Z).
+  { apply sum_is_not_negative. intros s S. specialize (no_one s S).
+    destruct (departs v s); [rewrite (no_one eq_refl) |]; destruct (arrives v s), (is_amid a b (opposite (along s)));
+      cbn [Z.b2z]; lia. }
+  rewrite sum_minus in less, change_. lia.
 Qed.
 
 Section Contact.
@@ -86,7 +131,8 @@ Section Contact.
       winding_number (plus u (scaled_by k (opposite (along a)))) (region_edges q) = 0%Z).
   Proof.
     destruct (one_or_all (meets_direction (along a))
-      (fun f => lies_on u f -> ~ same_direction (along a) (along f)) (region_edges q)) as [| none]; [| now left | right].
+      (fun f => lies_on u f -> ~ same_direction (along a) (along f)) (region_edges q))
+      as [| none]; [| now left | right].
     { intros f F. destruct (lies_on_dec u f) as [on |]; [| now right].
       pose proof (region_edges_are_directions q q_edges f F) as long_f. rewrite same_direction_angle by trivial.
       destruct (Qeq_dec (angle (along a)) (angle (along f))) as [same_ | other]; [left | now right].
@@ -142,11 +188,12 @@ Section Contact.
       as (k & some & (free_a & none) & close_a).
     assert (half : 0 < (1 # 2) * radius) by lra.
     destruct (some_small _ (eventually_and _ _ (goes_ahead_from u b b_leaves) (eventually_and _ _
-      (small_steps_stay_within _ u B half) (leaves_all_vertices q u B long_b)))) as (l & some_l & on_b & close_b & no_vertex).
+      (small_steps_stay_within _ u B half) (leaves_all_vertices q u B long_b))))
+      as (l & some_l & on_b & close_b & no_vertex).
     assert (side : 0 < cross B (opposite A)) by (unfold cross, opposite in *; cbn [vx vy] in *; lra).
     destruct (some_small _ (eventually_and _ _ (left_of_an_edge_is_inside q b _ (opposite A) (proj1 (proj2 q_region))
-      (proj2 (proj2 q_region)) in_q on_b no_vertex side) (small_steps_stay_within _ (moved_along u B l) (opposite A) half)))
-      as (t & some_t & (free_b & round) & close_t).
+      (proj2 (proj2 q_region)) in_q on_b no_vertex side)
+      (small_steps_stay_within _ (moved_along u B l) (opposite A) half))) as (t & some_t & (free_b & round) & close_t).
     fold B in free_b, round. set (z := moved_along (moved_along u B l) (opposite A) t) in *.
     set (beta := minus z u). set (alpha := scaled_by k (opposite A)) in *.
     assert (z_is : equal_vectors z (plus u beta)) by (unfold beta, plus, minus; split; cbn [vx vy]; ring).
@@ -157,27 +204,14 @@ Section Contact.
     { assert (value : cross beta alpha == l * k * cross A B).
       { unfold cross at 1. rewrite beta_x, beta_y. unfold alpha, scaled_by, opposite, cross. cbn [vx vy]. ring. }
       rewrite value. apply Qmult_lt_0_compat; [now apply Qmult_lt_0_compat | exact left_]. }
-    pose proof (winding_number_around_the_point q u beta alpha radius q_edges near turn) as change_.
-    rewrite none in change_. rewrite <- (winding_number_of_equal z (plus u beta) _ (proj1 z_is) (proj2 z_is)) in change_.
-    assert (found : exists h, In h (region_edges q) /\ arrives u h = true /\ is_amid beta alpha (opposite (along h)) = true).
-    { destruct (one_or_all (exists h, In h (region_edges q) /\ arrives u h = true /\
-          is_amid beta alpha (opposite (along h)) = true)
-        (fun h => arrives u h = true -> is_amid beta alpha (opposite (along h)) = false) (region_edges q))
-        as [| no_one]; [| assumption | exfalso].
-      { intros h H. destruct (arrives u h) eqn:there; [| now right].
-        destruct (is_amid beta alpha (opposite (along h))) eqn:amid_; [left; now exists h | now right]. }
-      assert (more : (0 <= sum_of (fun s => Z.b2z (departs u s) * Z.b2z (is_amid beta alpha (along s)) -
-          Z.b2z (arrives u s) * Z.b2z (is_amid beta alpha (opposite (along s))))%Z (region_edges q))%Z).
-      { apply sum_is_not_negative. intros s S. specialize (no_one s S).
-        destruct (arrives u s); [rewrite (no_one eq_refl) |]; destruct (departs u s), (is_amid beta alpha (along s));
-          cbn [Z.b2z]; lia. }
-      rewrite <- change_ in more; [lia | | | |].
-      - pose proof (within_twice ((1 # 2) * radius) ((1 # 2) * radius) radius _ _ _ ltac:(lra) close_b close_t) as close_z. clear - close_z.
-        unfold within, beta, plus, minus in *. cbn [vx vy]. lra.
-      - clear - close_a. unfold within, alpha, plus, scaled_by, moved_along in *. cbn [vx vy] in *. lra.
-      - apply (off_equal z); [exact z_is | exact free_b].
-      - exact free_a. }
-    destruct found as (h & H & there & amid_). exists h. split; [exact H |]. split; [exact there |].
+    pose proof (within_twice ((1 # 2) * radius) ((1 # 2) * radius) radius _ _ _ ltac:(lra) close_b close_t) as close_z.
+    destruct (arrives_between q u beta alpha radius q_edges near turn) as (h & H & there & amid_).
+    { clear - close_z. unfold within, beta, plus, minus in *. cbn [vx vy]. lra. }
+    { clear - close_a. unfold within, alpha, plus, scaled_by, moved_along in *. cbn [vx vy] in *. lra. }
+    { apply (off_equal z); [exact z_is | exact free_b]. }
+    { exact free_a. }
+    { rewrite none, <- (winding_number_of_equal z (plus u beta) _ (proj1 z_is) (proj2 z_is)). exact round. }
+    exists h. split; [exact H |]. split; [exact there |].
     destruct (is_amid_spec beta alpha (opposite (along h))) as [[after_ before_] |]; [| discriminate].
     unfold alpha, scaled_by, opposite, cross in after_, before_. cbn [vx vy] in after_, before_.
     rewrite beta_x, beta_y in after_. unfold cross. set (H_ := along h) in *.
