@@ -195,8 +195,8 @@ Run done(const SumOptions& options, const Engine& engine, EngineOptions engine_o
     sum_sets(options, engine, engine_options, format, read_p, read_q);
     return run;
   }
-  const Region p = std::move(read_p.region);
-  const Region q = std::move(read_q.region);
+  Region p = std::move(read_p.region);
+  Region q = std::move(read_q.region);
   if (is_unbounded(p) || is_unbounded(q)) require_plain(options);
   if (with_statistics) run.summands = timed(run.counting, [&] { return statistics_of(p, q); });
 
@@ -211,7 +211,18 @@ Run done(const SumOptions& options, const Engine& engine, EngineOptions engine_o
   };
   computed.sum =
       timed(run.computing, [&] { return unbounded_sum(p, q, options.boundary, by_engine); });
-  const Region region = timed(run.region, [&] { return region_of(computed.sum); });
+  const bool is_drawn_or_certified = options.svg || options.origins || options.certificate;
+  if (!is_drawn_or_certified) p = q = {};
+  const bool is_rounded = output_grid(options.output).has_value();
+  const Region region = timed(run.region, [&] {
+    if (is_rounded) return Region{};  // that of the rounded set is written
+    if (is_drawn_or_certified || with_statistics) return region_of(computed.sum);
+    PlanarSet chains;
+    chains.is_unbounded = computed.sum.is_unbounded;
+    chains.outer.swap(computed.sum.outer);
+    chains.holes.swap(computed.sum.holes);
+    return region_of(std::move(chains));
+  });
   // Before anything is written, in case it cannot be made.
   const std::string certificate = timed(run.certificate, [&] {
     if (!options.certificate) return std::string();

@@ -70,7 +70,7 @@ Region region_with_connected_interiors(const std::vector<Point>& points,
       turned.outer.push_back(std::move(chain));
     }
   }
-  Region region = region_of(turned);
+  Region region = region_of(std::move(turned));
   const auto start_at_smallest = [](Chain& chain) {
     std::rotate(chain.begin(),
                 chain.begin() + static_cast<std::ptrdiff_t>(start_of_smallest_rotation(chain)),

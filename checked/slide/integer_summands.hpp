@@ -68,6 +68,10 @@ struct IntegerSummands {
     kept_p_.prepare_boxes();
     kept_q_.prepare_boxes();
   }
+  void drop_boxes() {
+    if (own_p_) own_p_->drop_boxes();
+    if (own_q_) own_q_->drop_boxes();
+  }
   void prepare_component_test() {
     kept_p_.prepare_components();
     kept_q_.prepare_components();

@@ -37,6 +37,8 @@ class KeptSummand {
   void prepare_boxes() const {
     std::call_once(has_boxes_, [this] { boxes_ = float_box_tree(summand_); });
   }
+  /// Nobody uses them any more.
+  void drop_boxes() { boxes_ = {}; }
   void prepare_components() const {
     std::call_once(has_components_, [this] { components_ = ComponentTree(summand_); });
   }

@@ -29,7 +29,7 @@ struct NamedEnds {
 };
 
 template <typename Numbers>
-NamedEnds<Numbers> named_ends(const ShortList<FreePiece<Numbers>>& pieces,
+NamedEnds<Numbers> named_ends(ShortList<FreePiece<Numbers>> pieces,
                               const ReducedSegments<Numbers>& segments, const Scaling& scaling,
                               unsigned threads) {
   struct Place {
@@ -51,6 +51,10 @@ NamedEnds<Numbers> named_ends(const ShortList<FreePiece<Numbers>>& pieces,
       }
     }
   });
+  NamedEnds<Numbers> named;
+  named.pieces.resize(pieces.size());
+  for (std::size_t k = 0; k < pieces.size(); ++k) named.pieces[k].segment = pieces[k].segment;
+  pieces = {};  // which take much memory
   sort_in_parts(sorted, threads, [](const Place& a, const Place& b) {
     if (a.near_x != b.near_x) return a.near_x < b.near_x;
     if (a.near_y != b.near_y) return a.near_y < b.near_y;
@@ -102,8 +106,6 @@ NamedEnds<Numbers> named_ends(const ShortList<FreePiece<Numbers>>& pieces,
   ShortList<std::uint32_t> names(ends.size());
   std::uint32_t different = 0;
   for (std::size_t k = 0; k < names.size(); ++k) names[k] = (different += !same[k]) - 1;
-  NamedEnds<Numbers> named;
-  named.pieces.resize(pieces.size());
   named.points.resize(different);
   named.near_x.resize(different);
   named.near_y.resize(different);
@@ -112,7 +114,6 @@ NamedEnds<Numbers> named_ends(const ShortList<FreePiece<Numbers>>& pieces,
       const auto& [near_x, near_y, end] = sorted[k];
       BoundaryPiece& piece = named.pieces[end / 2];
       (end % 2 == 0 ? piece.from : piece.to) = names[k];
-      if (end % 2 == 0) piece.segment = pieces[end / 2].segment;
       if (same[k]) continue;
       named.points[names[k]] = std::move(ends[end]);
       named.near_x[names[k]] = near_x;

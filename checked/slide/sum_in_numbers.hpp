@@ -37,8 +37,10 @@ ComputedSum sum_of(ReducedSegments<Numbers>& segments, const Scaling& scaling, B
   }
   auto [pieces, open, effort] = all_free_pieces(segments, options, rays);
 
+  if (boundary == Boundary::closed) segments.drop_boxes();
   const unsigned threads = options.threads;
-  const NamedEnds<Numbers> ends = named_ends(pieces, segments, scaling, threads);
+  const std::size_t free_pieces = pieces.size();
+  const NamedEnds<Numbers> ends = named_ends(std::move(pieces), segments, scaling, threads);
   const auto is_on = [&](std::uint32_t i, const BoundaryPiece& piece) {
     return lies_between(ends.points[i], ends.points[piece.from], ends.points[piece.to], scaling);
   };
@@ -102,8 +104,8 @@ ComputedSum sum_of(ReducedSegments<Numbers>& segments, const Scaling& scaling, B
     }
   }
 
-  result.statistics = search_statistics(segments.size(), scaling.bits, pieces.size(), effort,
-                                        integers_of<Numbers>());
+  result.statistics =
+      search_statistics(segments.size(), scaling.bits, free_pieces, effort, integers_of<Numbers>());
   return result;
 }
 
