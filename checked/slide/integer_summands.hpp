@@ -30,7 +30,7 @@ struct IntegerSummands {
         own_q_(std::in_place, region_q, scaling, scaling.of_q),
         kept_p_(*own_p_),
         kept_q_(*own_q_),
-        pairs(p.near, q.near, most_pairs),
+        pairs(span_of(p.near), span_of(q.near), most_pairs),
         margins(slide::margins(scaling)) {
     prepare();
   }
@@ -40,7 +40,7 @@ struct IntegerSummands {
                   const Scaling& scaling)
       : kept_p_(kept_p),
         kept_q_(kept_q),
-        pairs(p.near, q.near, few_pairs),
+        pairs(span_of(p.near), span_of(q.near), few_pairs),
         margins(slide::margins(scaling)) {
     prepare();
   }

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "reference/chains/clearly_simple.hpp"
 #include "reference/chains/near_point.hpp"
 #include "reference/chains/nesting.hpp"
 #include "reference/chains/touching_points.hpp"
@@ -55,6 +56,9 @@ class Turns {
     }
     return changes == 2;
   }
+
+  /// Whether it certainly does not touch itself.
+  bool is_clearly_simple() const { return is_convex() || oplus::is_clearly_simple(points_); }
 
   /// Requires: the chain is simple.
   bool is_counterclockwise() const {
@@ -126,7 +130,7 @@ Passed passed(const Chain& chain) {
 void add_simple_chains(Chain& chain, std::vector<SimpleChain>& simple) {
   const Turns turns(chain);
   Passed pass;
-  if (!turns.is_convex()) pass = passed(chain);
+  if (!turns.is_clearly_simple()) pass = passed(chain);
   if (pass.vertices.empty()) {
     simple.push_back(simple_chain(chain, turns));
     return;

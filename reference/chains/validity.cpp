@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "reference/arithmetic/interval.hpp"
+#include "reference/chains/clearly_simple.hpp"
 #include "reference/chains/nesting.hpp"
 
 namespace oplus {
@@ -25,6 +26,13 @@ std::optional<Defect> defect_of_chain(const Chain& chain, std::size_t index) {
       return Defect{DefectKind::zero_length_edge, {index, i}, {index, j}, chain[i]};
   }
   return std::nullopt;
+}
+
+bool is_clearly_simple(const Chain& chain) {
+  std::vector<NearPoint> points;
+  points.reserve(chain.size());
+  for (const Point& p : chain) points.push_back(near_point(p));
+  return is_clearly_simple(points);
 }
 
 /// Of equal vertices, the first two in the chain's order.
@@ -184,6 +192,7 @@ std::optional<Defect> find_defect(const Region& region) {
   for (std::size_t c = 0; c < all.size(); ++c) {
     if (const auto defect = defect_of_chain(*all[c], c)) return defect;
   }
+  if (all.size() == 1 && is_clearly_simple(*all[0])) return std::nullopt;
   const SweptChains chains(all);
   DefectsAtPlaces defects(chains);
   Nesting nesting(chains);
