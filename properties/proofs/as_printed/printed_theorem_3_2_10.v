@@ -6,7 +6,7 @@
    then one that has d1 to its left, and one that has -d1 to its left: these are three directions. *)
 From Coq Require Import QArith Lqa List.
 From Oplus Require Import regions_and_sums parallelogram boundary_points observation_2_2_4 theorem_3_2_10
-  chains_that_do_not_cross segments_left_of_a_step.
+  chains_that_do_not_cross segments_left_of_a_step polygons_of_the_thesis.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -47,4 +47,18 @@ Proof.
     assert (0 < a * (vx (along s3) * vy (along s1) - vy (along s3) * vx (along s1))) by lra.
     assert (0 < a * - (vx (along s3) * vy (along s1) - vy (along s3) * vx (along s1)))
       by (apply Qmult_lt_0_compat; lra). lra.
+Qed.
+
+(* Theorem. Of two simple polygons it need not be said that chains do not cross. *)
+Theorem theorem_3_2_10_for_simple_polygons (p q : list vector) (x : vector) :
+  simple_polygon p -> simple_polygon q -> isolated_vertex x [p] [q] ->
+  exists s1 s2 s3, incl [s1; s2; s3] (convolution_segments [p] [q]) /\ lies_on x s1 /\ lies_on x s2 /\ lies_on x s3 /\
+    ~ same_direction (along s1) (along s2) /\ ~ same_direction (along s1) (along s3) /\
+    ~ same_direction (along s2) (along s3).
+Proof.
+  assert (region_of_one : forall chain, simple_polygon chain -> valid_region [chain] /\ chains_do_not_cross [chain]).
+  { intros chain polygon. pose proof (simple_polygons_are_regions chain polygon) as valid. split; [exact valid |].
+    now apply chains_that_do_not_touch_do_not_cross, simple_polygons_do_not_touch. }
+  intros p_polygon q_polygon. destruct (region_of_one p p_polygon), (region_of_one q q_polygon).
+  now apply theorem_3_2_10_as_printed.
 Qed.

@@ -88,6 +88,51 @@ Proof.
   split; [exact long |]. intros _. now apply square_positive.
 Qed.
 
+Lemma pass_does_not_cross_itself (f g : vector) : ~ passes_cross f g f g.
+Proof. unfold passes_cross, left_of_pass, right_of_pass, cross, opposite. cbn [vx vy]. lra. Qed.
+
+(* At points that are no vertices there is one pass only. *)
+Lemma passes_cross_at_vertices (r : region) (u f g f' g' : vector) : valid_region r -> ~ is_vertex u r ->
+  is_pass r u f g -> is_pass r u f' g' -> ~ passes_cross f g f' g'.
+Proof.
+  intros r_region no_vertex first_ second.
+  assert (on_edges : forall a b, is_pass r u a b ->
+    exists e, In e (region_edges r) /\ lies_on u e /\ a = along e /\ b = along e).
+  { intros a b [(e & E & inside_ & -> & ->) | (chain & j & C & J & equal & _)].
+    - exists e. split; [exact E |]. split; [now apply strictly_inside_lies_on | now split].
+    - destruct no_vertex. now apply (at_vertex_of_chain r chain j u (proj1 r_region) C J). }
+  destruct (on_edges _ _ first_) as (e & E & on_e & -> & ->), (on_edges _ _ second) as (e' & E' & on_e' & -> & ->).
+  destruct (in_split _ _ E) as (earlier & later & edges_are). destruct r_region as (_ & _ & meet).
+  rewrite edges_are in E'. apply in_elt_inv in E'. destruct E' as [-> | E']; [apply pass_does_not_cross_itself |].
+  destruct no_vertex. exact (meet earlier e later e' u edges_are E' on_e on_e').
+Qed.
+
+(* Theorem. Chains that do not touch have one pass at each vertex, too. *)
+Theorem chains_that_do_not_touch_do_not_cross (r : region) : valid_region r -> chains_do_not_touch r ->
+  chains_do_not_cross r.
+Proof.
+  intros r_region apart u f g f' g' first_ second. pose proof (proj1 r_region) as not_points.
+  destruct (vertex_or_not u r) as [(v & V & equal) | no_vertex];
+    [| now apply (passes_cross_at_vertices r u f g f' g')].
+  destruct (edge_by_chain r v V) as (chain & j & C & J & ->). rewrite edge_at_is in equal by exact J.
+  cbn [source] in equal.
+  assert (one : forall a b, is_pass r u a b ->
+    a = edge_of_chain chain (previous (length chain) j) /\ b = edge_of_chain chain j).
+  { intros a b pass. pose proof (previous_below _ _ J) as I. destruct (apart chain j C J) as (_ & _ & _ & only).
+    destruct (edges_of_a_pass r not_points u a b pass) as [(s & S & comes & <-) (t & T & leaves & <-)].
+    assert (at_u : equal_vectors u (source (edge_at chain j))) by (now rewrite edge_at_is).
+    assert (which : forall e, In e (region_edges r) -> lies_on u e ->
+      e = edge_at chain (previous (length chain) j) \/ e = edge_at chain j)
+      by (intros e E on; apply only; [exact E | now apply (lies_on_equal u)]).
+    apply arrives_is in comes. apply departs_is in leaves. destruct comes as [on_s comes], leaves as [on_t leaves].
+    rewrite !direction_by_index by assumption. fold (edge_at chain (previous (length chain) j)) (edge_at chain j).
+    split.
+    - destruct (which s S on_s) as [-> | ->]; [reflexivity | contradiction].
+    - destruct (which t T on_t) as [-> | ->]; [| reflexivity]. destruct leaves.
+      rewrite edge_at_is, next_previous by assumption. exact equal. }
+  destruct (one f g first_) as [-> ->], (one f' g' second) as [-> ->]. apply pass_does_not_cross_itself.
+Qed.
+
 (* A test: all passes at all vertices. *)
 Definition passes_at (r : region) (u : vector) : list (vector * vector) :=
   flat_map (fun e => if is_on_segment u e && negb (same_place u (source e) || same_place u (target e))
@@ -144,7 +189,7 @@ Proof.
     destruct other. destruct equal, at_. split; lra.
 Qed.
 
-(* At points that are no vertices there is one pass only. *)
+(* Theorem. What passes the test has chains that do not cross. *)
 Theorem cross_nowhere_is_right (r : region) : valid_region r -> cross_nowhere r = true -> chains_do_not_cross r.
 Proof.
   intros r_region test u f g f' g' first_ second.
@@ -158,14 +203,5 @@ Proof.
     destruct crossing_ as [[left_ right_] | [right_ left_]]; apply is_left_of_pass_iff in left_;
       apply is_right_of_pass_iff in right_; rewrite left_, right_ in *; discriminate. }
   destruct (vertex_or_not u r) as [| no_vertex]; [now apply at_vertex |].
-  assert (on_edges : forall a b, is_pass r u a b ->
-    exists e, In e (region_edges r) /\ lies_on u e /\ a = along e /\ b = along e).
-  { intros a b [(e & E & inside_ & -> & ->) | (chain & j & C & J & equal & _)].
-    - exists e. split; [exact E |]. split; [now apply strictly_inside_lies_on | now split].
-    - destruct no_vertex. now apply (at_vertex_of_chain r chain j u (proj1 r_region) C J). }
-  destruct (on_edges _ _ first_) as (e & E & on_e & -> & ->), (on_edges _ _ second) as (e' & E' & on_e' & -> & ->).
-  destruct (in_split _ _ E) as (earlier & later & edges_are). destruct r_region as (_ & _ & meet).
-  rewrite edges_are in E'. apply in_elt_inv in E'. destruct E' as [-> | E'].
-  - unfold passes_cross, left_of_pass, right_of_pass, cross, opposite. cbn [vx vy]. intros crossing_. lra.
-  - destruct no_vertex. exact (meet earlier e later e' u edges_are E' on_e on_e').
+  now apply (passes_cross_at_vertices r u f g f' g').
 Qed.
