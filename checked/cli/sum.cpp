@@ -211,17 +211,10 @@ Run done(const SumOptions& options, const Engine& engine, EngineOptions engine_o
   };
   computed.sum =
       timed(run.computing, [&] { return unbounded_sum(p, q, options.boundary, by_engine); });
-  const bool is_drawn_or_certified = options.svg || options.origins || options.certificate;
-  if (!is_drawn_or_certified) p = q = {};
+  if (!options.svg && !options.origins && !options.certificate) p = q = {};
   const bool is_rounded = output_grid(options.output).has_value();
   const Region region = timed(run.region, [&] {
-    if (is_rounded) return Region{};  // that of the rounded set is written
-    if (is_drawn_or_certified || with_statistics) return region_of(computed.sum);
-    PlanarSet chains;
-    chains.is_unbounded = computed.sum.is_unbounded;
-    chains.outer.swap(computed.sum.outer);
-    chains.holes.swap(computed.sum.holes);
-    return region_of(std::move(chains));
+    return is_rounded ? Region{} : region_of(computed.sum);  // another one is written
   });
   // Before anything is written, in case it cannot be made.
   const std::string certificate = timed(run.certificate, [&] {

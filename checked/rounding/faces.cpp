@@ -7,8 +7,8 @@
 
 #include "checked/slide/stitching.hpp"
 #include "reference/arithmetic/interval.hpp"
-#include "reference/chains/plane_sweep.hpp"
 #include "reference/chains/region_of.hpp"
+#include "reference/chains/swept_cells.hpp"
 #include "reference/chains/touching_points.hpp"
 #include "reference/definitions/sorted_without_copies.hpp"
 
@@ -70,7 +70,7 @@ Region region_with_connected_interiors(const std::vector<Point>& points,
       turned.outer.push_back(std::move(chain));
     }
   }
-  Region region = region_of(std::move(turned));
+  Region region = region_of(turned);
   const auto start_at_smallest = [](Chain& chain) {
     std::rotate(chain.begin(),
                 chain.begin() + static_cast<std::ptrdiff_t>(start_of_smallest_rotation(chain)),
@@ -103,48 +103,26 @@ Boundaries boundaries_of(const PlanarSet& set) {
   SweptEdges swept;
   for (const std::vector<Chain>* chains : {&set.outer, &set.holes})
     for (const Chain& chain : *chains) swept.add(chain);
-  struct Piece {
-    const Point* from;
-    std::uint32_t below, above;  // faces
-  };
-  std::vector<Piece> last(swept.edges.size());  // of each edge, to the right
-  std::vector<std::uint32_t> whole = {0};  // of a face, one that it is a part of; the outside is 0
-  const auto face = [&](std::uint32_t f) {
-    while (whole[f] != f) f = whole[f] = whole[whole[f]];
-    return f;
-  };
+  std::vector<const Point*> places;
+  const NumberedCells cells =
+      numbered_cells(swept, [&](const SweptPlace& place) { places.push_back(&place.point); });
   Boundaries result;
-  result.edges.reserve(last.size());
-  sweep(swept, [&](const SweptPlace& place) {
-    std::uint32_t below = place.below ? last[*place.below].above : 0, above = below;
-    for (const std::uint32_t e : place.left) {
-      const Piece& piece = last[e];
-      if (swept.runs_right(e))
-        result.edges.push_back({piece.from, &place.point, piece.above, piece.below});
-      else
-        result.edges.push_back({&place.point, piece.from, piece.below, piece.above});
-      above = piece.above;
-    }
-    if (place.right.empty())
-      whole[std::max(face(below), face(above))] = std::min(face(below), face(above));
-    for (const std::uint32_t e : place.right) {
-      last[e] = {&place.point, below, above};
-      if (e == place.right.back()) continue;
-      last[e].above = below = static_cast<std::uint32_t>(whole.size());
-      whole.push_back(below);
-    }
-    return true;
-  });
-
+  result.edges.reserve(cells.pieces.size());
+  for (const auto& [from, to, above, below, edge] : cells.pieces) {
+    if (swept.runs_right(edge))
+      result.edges.push_back({places[from], places[to], above, below});
+    else
+      result.edges.push_back({places[to], places[from], below, above});
+  }
   constexpr auto none = static_cast<std::uint32_t>(-1);
-  std::vector<std::uint32_t> numbers(whole.size(), none);
+  std::vector<std::uint32_t> numbers(cells.face_count, none);
   const auto number = [&](std::uint32_t f, std::uint32_t& count) {
     if (numbers[f] == none) numbers[f] = count++;
     return numbers[f];
   };
   for (Boundaries::Edge& e : result.edges) {
-    e.left = number(face(e.left), result.component_count);
-    e.right = face(e.right) == 0 ? none : number(face(e.right), result.hole_count);
+    e.left = number(e.left, result.component_count);
+    e.right = e.right == 0 ? none : number(e.right, result.hole_count);
   }
   for (Boundaries::Edge& e : result.edges)
     if (e.right == none) e.right = result.hole_count;

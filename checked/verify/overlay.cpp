@@ -3,12 +3,15 @@
 
 #include <algorithm>
 #include <boost/pending/disjoint_sets.hpp>
+#include <iterator>
 #include <map>
+#include <span>
 #include <tuple>
 #include <utility>
 
 #include "reference/chains/near_point.hpp"
 #include "reference/chains/swept_cells.hpp"
+#include "reference/definitions/cells.hpp"
 #include "reference/definitions/mutant.hpp"
 #include "reference/definitions/pairwise_sum.hpp"
 #include "reference/definitions/sorted_without_copies.hpp"
@@ -17,26 +20,19 @@ namespace oplus {
 
 namespace {
 
-/// How often a chain, or the right sum, runs along a piece: forth counts 1, back -1. The right sum is
-/// called by a number that no chain has.
+/// That a chain, or the right sum, runs along a piece: forth counts 1, back -1. The right sum is called by a number
+/// that no chain has.
 struct Turns {
   std::size_t chain;
   int turns;
 };
 
-/// What runs along a piece.
-struct Uses {
-  std::vector<Turns> turns;
-  std::size_t chains_forth = 0;
-  std::size_t chains_back = 0;
-};
-
 /// The connected parts of a graph, by the number of a node each.
-template <typename Connected>
-std::vector<std::size_t> parts(std::size_t nodes, const std::vector<Cells::Edge>& edges,
+template <typename Edge, typename Connected>
+std::vector<std::size_t> parts(std::size_t nodes, const std::vector<Edge>& edges,
                                Connected connected) {
   boost::disjoint_sets_with_storage<> sets(nodes);
-  for (const Cells::Edge& e : edges)
+  for (const Edge& e : edges)
     if (connected(e.left_face, e.right_face)) sets.union_set(e.left_face, e.right_face);
   std::vector<std::size_t> result(nodes);
   for (std::size_t i = 0; i < nodes; ++i) result[i] = sets.find_set(i);
@@ -54,8 +50,8 @@ class Membership {
   }
 
   /// Passes an edge to its left, or to its right.
-  void pass(const Uses& uses, bool to_left) {
-    for (const auto& [chain, turns] : uses.turns) {
+  void pass(std::span<const Turns> along, bool to_left) {
+    for (const auto& [chain, turns] : along) {
       const bool was_inside = around_[chain] != 0;
       around_[chain] += to_left ? turns : -turns;
       const bool is_inside = around_[chain] != 0;
@@ -83,41 +79,36 @@ class Membership {
   std::size_t within_ = 0;          ///< the number of components that have the face inside
 };
 
-/// Calls `see(face)` for each face when the walk is in it. Each edge is passed twice at most.
-template <typename See>
-void walk_through_faces(const Cells& cells, const std::vector<Uses>& uses, Membership& membership,
-                        const See& see) {
-  std::vector<std::vector<std::size_t>> edges_of(cells.faces.size());
-  for (std::size_t i = 0; i < cells.edges.size(); ++i) {
-    edges_of[cells.edges[i].left_face].push_back(i);
-    edges_of[cells.edges[i].right_face].push_back(i);
-  }
+/// Calls `see(face)` for each face when the walk is in it, from the unbounded one on, and `pass(i, to_left)` when it passes
+/// edge i: each twice at most.
+template <typename Edge, typename EdgesOf, typename Pass, typename See>
+void walk_through_faces(std::size_t faces, const std::vector<Edge>& edges, const EdgesOf& edges_of,
+                        const Pass& pass, const See& see) {
   struct Visit {
-    std::size_t face;
-    std::size_t next;        // of the face's edges
-    std::size_t entered_by;  // an edge, or none
+    std::uint32_t face;
+    std::uint32_t next;        // of the face's edges
+    std::uint32_t entered_by;  // an edge, or none
   };
-  constexpr auto none = static_cast<std::size_t>(-1);
-  std::vector<bool> seen(cells.faces.size(), false);
-  std::vector<Visit> way = {{cells.unbounded_face, 0, none}};
-  seen[cells.unbounded_face] = true;
-  see(cells.unbounded_face);
+  constexpr auto none = static_cast<std::uint32_t>(-1);
+  std::vector<bool> seen(faces, false);
+  std::vector<Visit> way = {{0, 0, none}};
+  seen[0] = true;
+  see(0U);
   while (!way.empty()) {
     Visit& here = way.back();
-    if (here.next == edges_of[here.face].size()) {
+    const std::span<const std::uint32_t> around = edges_of(here.face);
+    if (here.next == around.size()) {
       if (here.entered_by != none)
-        membership.pass(uses[here.entered_by],
-                        cells.edges[here.entered_by].right_face == here.face);
+        pass(here.entered_by, edges[here.entered_by].right_face == here.face);
       way.pop_back();
       continue;
     }
-    const std::size_t i = edges_of[here.face][here.next++];
-    const Cells::Edge& e = cells.edges[i];
-    const bool to_left = e.right_face == here.face;
-    const std::size_t other = to_left ? e.left_face : e.right_face;
+    const std::uint32_t i = around[here.next++];
+    const bool to_left = edges[i].right_face == here.face;
+    const std::uint32_t other = to_left ? edges[i].left_face : edges[i].right_face;
     if (seen[other]) continue;
     seen[other] = true;
-    membership.pass(uses[i], to_left);
+    pass(i, to_left);
     see(other);
     way.push_back({other, 0, i});
   }
@@ -134,82 +125,130 @@ Rational twice_area_inside(const std::vector<Segment>& boundary) {
 Overlay::Overlay(const ClaimedSum& given, const PlanarSet& right) {
   const std::vector<ClaimedChain> chains = claimed_chains(given);
   const std::size_t of_right = chains.size();
-  std::vector<Segment> segments;
-  std::vector<std::size_t> chain_of;
+  SweptEdges swept;
+  std::vector<std::uint32_t> chain_of;
   std::vector<Point> points;  // chains without length
   const auto add = [&](const Chain& chain, std::size_t number) {
-    const std::size_t before = segments.size();
-    for (const Segment& e : edges(chain)) {
-      if (e.source == e.target) continue;
-      segments.push_back(e);
-      chain_of.push_back(number);
-    }
-    if (segments.size() == before &&
+    swept.add(chain);
+    chain_of.resize(swept.edges.size(), static_cast<std::uint32_t>(number));
+    if (std::ranges::count(chain, chain[0]) == std::ssize(chain) &&
         !OPLUS_MUTANT("points-need-not-bound", "verify overlooks a chain that is a point"))
       points.push_back(chain[0]);
   };
   for (std::size_t c = 0; c < chains.size(); ++c) add(*chains[c].vertices, c);
   for (const std::vector<Chain>* of_sum : {&right.outer, &right.holes})
     for (const Chain& chain : *of_sum) add(chain, of_right);
-  const std::vector<std::vector<Segment>> pieces = swept_pieces(segments);
-  Cells cells = swept_cells_of_pieces(pieces);
-  std::vector<Uses> uses(cells.edges.size());
-  const auto use_of = [&](const Segment& piece) -> Uses& {
-    const auto edge = std::lower_bound(
-        cells.edges.begin(), cells.edges.end(), piece,
-        [](const Cells::Edge& e, const Segment& sought) { return e.segment < sought; });
-    return uses[static_cast<std::size_t>(edge - cells.edges.begin())];
-  };
+  NumberedCells cells =
+      numbered_cells(swept, [&](const SweptPlace& place) { places_.push_back(place.point); });
+  std::ranges::sort(cells.pieces, [](const NumberedCells::Piece& a, const NumberedCells::Piece& b) {
+    return std::tie(a.from, a.to, a.edge) < std::tie(b.from, b.to, b.edge);
+  });
+
   std::vector<bool> turned;  // as what a chain is to be
   for (const ClaimedChain& chain : chains)
     turned.push_back((sign_of_area(*chain.vertices) < 0) != (chain.hole != 0));
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
-    const std::size_t chain = chain_of[i];
-    for (const Segment& piece : pieces[i]) {
-      const bool forth = piece.source < piece.target;
-      Uses& of_edge = use_of(forth ? piece : reversed(piece));
-      of_edge.turns.push_back({chain, forth ? 1 : -1});
-      if (chain != of_right)
-        ++(forth != turned[chain] ? of_edge.chains_forth : of_edge.chains_back);
+  std::vector<Turns> turns;                  // along the pieces
+  std::vector<std::uint32_t> first_of_edge;  // of these; then their number
+  for (const NumberedCells::Piece& piece : cells.pieces) {
+    if (edges_.empty() || edges_.back().source != piece.from || edges_.back().target != piece.to) {
+      first_of_edge.push_back(static_cast<std::uint32_t>(turns.size()));
+      edges_.push_back({piece.from, piece.to, piece.above, piece.below});
     }
+    turns.push_back({chain_of[piece.edge], swept.runs_right(piece.edge) ? 1 : -1});
   }
+  first_of_edge.push_back(static_cast<std::uint32_t>(turns.size()));
+  const auto along = [&](std::size_t edge) {
+    return std::span<const Turns>(turns).subspan(first_of_edge[edge],
+                                                 first_of_edge[edge + 1] - first_of_edge[edge]);
+  };
 
-  faces_.resize(cells.faces.size());
+  faces_.resize(cells.face_count + std::size_t{1});  // one more, which has no edges
+  cells = {};
+  for (const Edge& e : edges_)
+    for (const std::uint32_t f : {e.left_face, e.right_face})
+      ++faces_[f + std::size_t{1}].first_edge;
+  for (std::size_t f = 1; f < faces_.size(); ++f) faces_[f].first_edge += faces_[f - 1].first_edge;
+  edges_of_faces_.resize(2 * edges_.size());
+  std::vector<std::uint32_t> next;
+  for (const Face& face : faces_) next.push_back(face.first_edge);
+  for (std::uint32_t i = 0; i < edges_.size(); ++i)
+    for (const std::uint32_t f : {edges_[i].left_face, edges_[i].right_face})
+      edges_of_faces_[next[f]++] = i;
+
   Membership membership(chains);
-  walk_through_faces(cells, uses, membership, [&](std::size_t f) {
-    faces_[f].boundary = std::move(cells.faces[f]);
-    faces_[f].in_given = membership.in_given();
-    faces_[f].in_right = membership.in_right();
-  });
+  walk_through_faces(
+      faces_.size() - 1, edges_, [&](std::uint32_t f) { return edges_of(f); },
+      [&](std::uint32_t edge, bool to_left) { membership.pass(along(edge), to_left); },
+      [&](std::uint32_t f) {
+        faces_[f].in_given = membership.in_given();
+        faces_[f].in_right = membership.in_right();
+      });
   const auto same = [&](bool Face::*in) {
     return [this, in](std::size_t a, std::size_t b) { return faces_[a].*in == faces_[b].*in; };
   };
-  const auto of_given = parts(faces_.size(), cells.edges, same(&Face::in_given));
-  const auto of_sum = parts(faces_.size(), cells.edges, same(&Face::in_right));
-  const auto of_both = parts(faces_.size(), cells.edges, [&](std::size_t a, std::size_t b) {
+  const auto of_given = parts(faces_.size(), edges_, same(&Face::in_given));
+  const auto of_sum = parts(faces_.size(), edges_, same(&Face::in_right));
+  const auto of_both = parts(faces_.size(), edges_, [&](std::size_t a, std::size_t b) {
     return faces_[a].in_given == faces_[b].in_given && faces_[a].in_right == faces_[b].in_right;
   });
   for (std::size_t f = 0; f < faces_.size(); ++f) {
-    faces_[f].part_of_given = of_given[f];
-    faces_[f].part_of_right = of_sum[f];
-    faces_[f].difference = of_both[f];
+    faces_[f].part_of_given = static_cast<std::uint32_t>(of_given[f]);
+    faces_[f].part_of_right = static_cast<std::uint32_t>(of_sum[f]);
+    faces_[f].difference = static_cast<std::uint32_t>(of_both[f]);
   }
 
-  for (std::size_t i = 0; i < cells.edges.size(); ++i) {
-    const Cells::Edge& e = cells.edges[i];
+  for (std::size_t i = 0; i < edges_.size(); ++i) {
+    const Edge& e = edges_[i];
     const bool left = faces_[e.left_face].in_given;
     const bool right_side = faces_[e.right_face].in_given;
-    if (left != right_side) boundary_of_given_.push_back(left ? e.segment : reversed(e.segment));
-    const std::size_t times = uses[i].chains_forth + uses[i].chains_back;
-    const bool is_right_way = left ? uses[i].chains_back == 0 : uses[i].chains_forth == 0;
+    if (left != right_side) boundary_of_given_.push_back(left ? segment(e) : reversed(segment(e)));
+    std::size_t forth = 0, back = 0;
+    for (const Turns& one : along(i))
+      if (one.chain != of_right) ++((one.turns > 0) != turned[one.chain] ? forth : back);
+    const std::size_t times = forth + back;
+    const bool is_right_way = left ? back == 0 : forth == 0;
     if (times > 0 && (left == right_side || times > 1 || !is_right_way))
-      unsimple_.push_back({e.segment, left, left != right_side, times});
+      unsimple_.push_back({segment(e), left, left != right_side, times});
   }
-  edges_ = std::move(cells.edges);
   for (const Point& p : sorted_without_copies(std::move(points))) {
     const Location where = locate(p).of_given;
     unsimple_points_.push_back({{p, p}, where == Location::inside, where == Location::boundary, 1});
   }
+}
+
+std::span<const std::uint32_t> Overlay::edges_of(std::size_t face) const {
+  return std::span(edges_of_faces_)
+      .subspan(faces_[face].first_edge, faces_[face + 1].first_edge - faces_[face].first_edge);
+}
+
+std::vector<Segment> Overlay::boundary_of(std::size_t face) const {
+  std::vector<Segment> result;
+  std::size_t first = 0;
+  for (const std::uint32_t i : edges_of(face)) {
+    const Edge& e = edges_[i];
+    const bool forth = e.left_face == face &&
+                       (result.empty() || e.right_face != face || result.back() != segment(e));
+    result.push_back(forth ? segment(e) : reversed(segment(e)));
+    if (!forth) continue;
+    const Segment &start = result[first], &other = result.back();
+    // The lowest one to the right.
+    if (start.target < start.source ||
+        (start.source == other.source && orientation(start.source, start.target, other.target) < 0))
+      first = result.size() - 1;
+  }
+  std::swap(result[0], result[first]);
+  return result;
+}
+
+Rational Overlay::twice_area_of(std::size_t face) const {
+  PairwiseSum twice;
+  for (const std::uint32_t i : edges_of(face)) {
+    const Edge& e = edges_[i];
+    if (e.left_face == e.right_face) continue;
+    const bool forth = e.left_face == face;
+    twice.add(cross(places_[forth ? e.source : e.target], places_[forth ? e.target : e.source]));
+  }
+  return twice.total();
 }
 
 std::vector<Overlay::Difference> Overlay::differences() const {
@@ -231,7 +270,7 @@ std::vector<Overlay::Difference> Overlay::differences() const {
     if (!beside) beside = part;
     are_more = are_more || *beside != part;
   };
-  for (const Cells::Edge& e : edges_) {
+  for (const Edge& e : edges_) {
     for (const auto& [in, out] :
          {std::pair(e.left_face, e.right_face), {e.right_face, e.left_face}}) {
       const Face& other = faces_[out];
@@ -251,14 +290,16 @@ std::vector<Overlay::Difference> Overlay::differences() const {
     reason.in_sum = one.in_right;
     reason.in_given = one.in_given;
     Rational largest = -1;
+    std::size_t of_largest = 0;
     PairwiseSum sizes;
     for (const std::size_t f : part.faces) {
-      Rational size = twice_area_inside(faces_[f].boundary);
+      Rational size = twice_area_of(f);
       sizes.add(size);
       if (size <= largest) continue;
       largest = std::move(size);
-      difference.boundary = &faces_[f].boundary;
+      of_largest = f;
     }
+    difference.boundary = boundary_of(of_largest);
     reason.size = sizes.total();
     const bool is_all_of_given = size_in_given[one.part_of_given] == part.faces.size();
     const bool is_all_of_right = size_in_right[one.part_of_right] == part.faces.size();
@@ -279,27 +320,27 @@ std::vector<Overlay::Difference> Overlay::differences() const {
 }
 
 std::optional<Point> Overlay::common_point() const {
-  for (const Face& face : faces_)
-    if (face.in_given && face.in_right) return point_inside(face.boundary);
+  for (std::size_t f = 0; f < faces_.size(); ++f)
+    if (faces_[f].in_given && faces_[f].in_right) return point_inside(boundary_of(f));
   return std::nullopt;
 }
 
 const Overlay::Face& Overlay::face_around(const Point& p) const {
   const std::optional<Crossing> first = first_to_the_right(p, *tree_);
   if (!first) return faces_[0];
-  const Cells::Edge& e = edges_[first->segment];
+  const Edge& e = edges_[first->segment];
   return faces_[first->runs_up ? e.left_face : e.right_face];
 }
 
 Overlay::Place Overlay::locate(const Point& p) const {
   if (!tree_) {
     std::vector<Segment> segments;
-    for (const Cells::Edge& e : edges_) segments.push_back(e.segment);
+    for (const Edge& e : edges_) segments.push_back(segment(e));
     tree_.emplace(std::move(segments));
   }
   std::vector<const Face*> around;
   for (const std::size_t i : near({p, p}, *tree_)) {
-    if (!lies_on(p, edges_[i].segment)) continue;
+    if (!lies_on(p, (*tree_)[i])) continue;
     around.push_back(&faces_[edges_[i].left_face]);
     around.push_back(&faces_[edges_[i].right_face]);
   }

@@ -2,12 +2,13 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "checked/collision/segment_tree.hpp"
 #include "checked/verify/verdict.hpp"
-#include "reference/definitions/cells.hpp"
 #include "reference/definitions/claimed_sum.hpp"
 #include "reference/definitions/planar_set.hpp"
 
@@ -25,8 +26,8 @@ class Overlay {
 
   /// Faces in which the two differ, connected ones together.
   struct Difference {
-    Reason reason;                         ///< without a witness and details
-    const std::vector<Segment>* boundary;  ///< of the largest of the faces
+    Reason reason;                  ///< without a witness and details
+    std::vector<Segment> boundary;  ///< of the largest of the faces
   };
 
   std::vector<Difference> differences() const;
@@ -59,19 +60,33 @@ class Overlay {
 
  private:
   struct Face {
-    std::vector<Segment> boundary;
     bool in_given = false;
     bool in_right = false;
-    std::size_t part_of_given = 0;  ///< the connected part of the set or its complement
-    std::size_t part_of_right = 0;
-    std::size_t difference = 0;  ///< the connected part of where both are the same
+    std::uint32_t part_of_given = 0;  ///< the connected part of the set or its complement
+    std::uint32_t part_of_right = 0;
+    std::uint32_t difference = 0;  ///< the connected part of where both are the same
+    std::uint32_t first_edge = 0;  ///< in edges_of_faces_; those before the next face's
   };
+  /// Places by their numbers, the smaller one first.
+  struct Edge {
+    std::uint32_t source, target;
+    std::uint32_t left_face, right_face;
+  };
+
+  Segment segment(const Edge& e) const { return {places_[e.source], places_[e.target]}; }
+  std::span<const std::uint32_t> edges_of(std::size_t face) const;
+  /// The face to the left; from its smallest vertex to the right. Requires: it is bounded.
+  std::vector<Segment> boundary_of(std::size_t face) const;
+  Rational twice_area_of(std::size_t face) const;
 
   /// The face that a point is in. Requires: it is on no edge.
   const Face& face_around(const Point& p) const;
 
-  std::vector<Face> faces_;
-  std::vector<Cells::Edge> edges_;
+  std::vector<Point> places_;
+  std::vector<Edge> edges_;  ///< sorted
+  std::vector<Face> faces_;  ///< the unbounded one first
+  std::vector<std::uint32_t>
+      edges_of_faces_;  ///< what has the same face on both sides is there twice
   mutable std::optional<SegmentTree> tree_;  ///< of these, once it is needed
   std::vector<Unsimple> unsimple_;
   std::vector<Unsimple> unsimple_points_;

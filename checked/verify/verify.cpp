@@ -300,10 +300,10 @@ std::vector<Reason> face_reasons(const Overlay& overlay, const CollisionVerdicts
                                  Exceptional& exceptional) {
   std::vector<Reason> reasons;
   for (auto& [reason, boundary] : overlay.differences()) {
-    reason.witness = point_of_face(*boundary, {});
+    reason.witness = point_of_face(boundary, {});
     if (verdicts.interiors_meet_by_definition_at(reason.witness) != reason.in_sum) {
       // A point inside the closed sum may be on a dangling edge.
-      if (reason.in_sum) reason.witness = point_of_face(*boundary, exceptional.places());
+      if (reason.in_sum) reason.witness = point_of_face(boundary, exceptional.places());
       if (!reason.in_sum || !verdicts.interiors_meet_by_definition_at(reason.witness))
         throw VerdictsDiffer("convex parts and the collision test differ at " +
                              to_string(reason.witness));

@@ -30,17 +30,11 @@ class Turns {
                                    points_[next(i, chain.size())]));
   }
 
-  /// Whether no vertex is inside a straight line.
-  bool are_corners() const {
-    return std::find(turns_.begin(), turns_.end(), 0) == turns_.end() ||
-           OPLUS_MUTANT("edges-in-line-stay-apart");
-  }
-
   Chain without_collinear_vertices() const {
     Chain corners;
     corners.reserve(chain_.size());
     for (std::size_t i = 0; i < chain_.size(); ++i)
-      if (turns_[i] != 0) corners.push_back(chain_[i]);
+      if (turns_[i] != 0 || OPLUS_MUTANT("edges-in-line-stay-apart")) corners.push_back(chain_[i]);
     return corners;
   }
 
@@ -80,11 +74,10 @@ struct SimpleChain {
   bool is_counterclockwise;
 };
 
-/// May take the chain.
-SimpleChain simple_chain(Chain& chain, const Turns& turns) {
-  if (turns.are_corners()) return {std::move(chain), turns.is_counterclockwise()};
+SimpleChain simple_chain(const Chain& chain, const Turns& turns) {
   Chain corners = turns.without_collinear_vertices();
-  const bool is_counterclockwise = Turns(corners).is_counterclockwise();
+  const bool is_counterclockwise =
+      (corners.size() == chain.size() ? turns : Turns(corners)).is_counterclockwise();
   return {std::move(corners), is_counterclockwise};
 }
 
@@ -126,8 +119,8 @@ Passed passed(const Chain& chain) {
   return result;
 }
 
-/// Takes a chain that touches itself apart into chains that do not. May take one that does not.
-void add_simple_chains(Chain& chain, std::vector<SimpleChain>& simple) {
+/// Takes a chain that touches itself apart into chains that do not.
+void add_simple_chains(const Chain& chain, std::vector<SimpleChain>& simple) {
   const Turns turns(chain);
   Passed pass;
   if (!turns.is_clearly_simple()) pass = passed(chain);
@@ -181,10 +174,10 @@ class OuterChains {
 
 }  // namespace
 
-Region region_of(PlanarSet sum) {
+Region region_of(const PlanarSet& sum) {
   std::vector<SimpleChain> simple;
-  for (std::vector<Chain>* of_sum : {&sum.outer, &sum.holes})
-    for (Chain& chain : *of_sum) add_simple_chains(chain, simple);
+  for (const std::vector<Chain>* of_sum : {&sum.outer, &sum.holes})
+    for (const Chain& chain : *of_sum) add_simple_chains(chain, simple);
   Region region;
   std::vector<Chain> holes;
   for (SimpleChain& one : simple) {
@@ -223,8 +216,7 @@ PlanarSet canonical_sum(const Region& region) {
   sum.is_unbounded = is_unbounded(region);
   for (const Chain* of_region : chains_in(region)) {
     if (of_region->empty()) continue;
-    Chain whole = *of_region;
-    auto [chain, is_outer] = simple_chain(whole, Turns(whole));
+    auto [chain, is_outer] = simple_chain(*of_region, Turns(*of_region));
     std::rotate(chain.begin(),
                 chain.begin() + static_cast<std::ptrdiff_t>(start_of_smallest_rotation(chain)),
                 chain.end());

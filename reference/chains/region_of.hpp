@@ -11,7 +11,7 @@ namespace oplus {
 /// The regularized sum as a region (thesis, Definition 2.1.17): chains that touch themselves are
 /// taken apart into simple ones, and each hole goes to the outer chain directly around it, or, in an unbounded
 /// sum, to the last component, which has none.
-Region region_of(PlanarSet sum);
+Region region_of(const PlanarSet& sum);
 
 /// The same with its dangling edges and isolated vertices.
 inline ClaimedSum parts_of(const PlanarSet& sum) {

@@ -40,7 +40,7 @@ std::optional<Point> point_outside(const PlanarSet& set, const PlanarSet& other)
   const Overlay overlay(given(other), set);
   for (const Overlay::Difference& difference : overlay.differences())
     if (difference.reason.in_given && !difference.reason.in_sum)
-      return difference.boundary->front().source;
+      return difference.boundary.front().source;
   return std::nullopt;
 }
 
