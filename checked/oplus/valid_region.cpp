@@ -20,6 +20,24 @@ Chain chain_of(const std::vector<Coordinates>& points) {
   return chain;
 }
 
+/// Throws InvalidInput where a denominator is zero. Integers stay as they are, not copied.
+Region in_lowest_terms(Region region) {
+  const auto put = [](Rational& c) {
+    if (c.get_den() != 1) c = Number(c).value();
+  };
+  const auto put_all = [&](Chain& chain) {
+    for (Point& p : chain) {
+      put(p.x);
+      put(p.y);
+    }
+  };
+  for (Component& component : region.components) {
+    put_all(component.outer);
+    for (Chain& hole : component.holes) put_all(hole);
+  }
+  return region;
+}
+
 Region in_one(ReadRegion read, Overlaps overlaps) {
   if (overlaps == Overlaps::refused) return std::move(read.region);
   return region_of(union_of(read.region));
@@ -28,8 +46,7 @@ Region in_one(ReadRegion read, Overlaps overlaps) {
 }  // namespace
 
 ValidRegion::ValidRegion(Region region)
-    : ValidRegion(checked(
-          mapped(std::move(region), [](const Point& p) { return Coordinates(p).point(); }))) {}
+    : ValidRegion(checked(in_lowest_terms(std::move(region)))) {}
 
 bool operator==(const ValidRegion& a, const ValidRegion& b) {
   return a.region() == b.region() || canonical_sum(a.region()) == canonical_sum(b.region());
@@ -73,9 +90,7 @@ ValidRegion read_file(const std::string& path, Overlaps overlaps) {
 }
 
 Repaired repaired(Region region, std::optional<FillRule> fill) {
-  const auto in_lowest_terms = [](const Point& p) { return Coordinates(p).point(); };
-  RepairedRegion result =
-      repaired(unchecked(mapped(std::move(region), in_lowest_terms), "region"), fill);
+  RepairedRegion result = repaired(unchecked(in_lowest_terms(std::move(region)), "region"), fill);
   return {ValidRegion::found_valid(std::move(result.region)), std::move(result.mends)};
 }
 
