@@ -14,11 +14,12 @@ from conftest import SQUARE, TRIANGLE
 FRAME = "POLYGON ((0 0, 5 0, 5 5, 0 5, 0 0), (1 1, 1 4, 4 4, 4 1, 1 1))"
 PART = "POLYGON ((0 0, 3 0, 3 3, 0 3, 0 0))"
 SLOT = "POLYGON ((0 0, 6 0, 6 3, 9 3, 9 6, 0 6, 0 0))"
+SPUR = "POLYGON ((0 0, 6 0, 6 3, 9 3, 9 5, 6 5, 6 6, 0 6, 0 0))"
 RESULTS = {
     "nfp": (FRAME, "GEOMETRYCOLLECTION (POLYGON ((-3 -3, 5 -3, 5 5, -3 5, -3 -3)), POINT (1 1))", "P ⊕ −Q, the no-fit polygon"),
     "ifp": (SLOT, "GEOMETRYCOLLECTION (POLYGON ((0 0, 3 0, 3 3, 0 3, 0 0)), LINESTRING (3 3, 6 3))", "The inner-fit polygon"),
     "erosion": (SLOT, "POLYGON ((0 0, 3 0, 3 3, 0 3, 0 0))", "The erosion of P by Q"),
-    "opening": (SLOT, "POLYGON ((0 0, 6 0, 6 3, 9 3, 9 6, 0 6, 0 0))", "The opening of P by Q"),
+    "opening": (SPUR, "POLYGON ((0 0, 6 0, 6 6, 0 6, 0 0))", "The opening of P by Q"),
     "closing": (FRAME, "POLYGON ((0 0, 5 0, 5 5, 0 5, 0 0))", "The closing of P by Q"),
 }
 
