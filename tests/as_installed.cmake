@@ -65,13 +65,19 @@ set_tests_properties(page.build PROPERTIES FIXTURES_SETUP page COST 1000)
 add_test(NAME page.core
          COMMAND node ${CMAKE_CURRENT_SOURCE_DIR}/checked/bindings/page/core_test.mjs ${page} $<TARGET_FILE:oplus>
                  ${CMAKE_CURRENT_SOURCE_DIR}/corpus/pairs.txt ${cases})
-foreach(test page proofs)
+# axe-core judges what screen readers and keyboards find.
+add_test(NAME page.axe-core COMMAND npm install --silent --no-audit --no-fund --prefix ${page}-tools axe-core@4.14.1)
+set_tests_properties(page.axe-core PROPERTIES FIXTURES_SETUP axe-core)
+set(of_page axe gallery loading operations page proofs sliding taking)
+foreach(test ${of_page})
   add_test(NAME page.browser-${test}
-           COMMAND ${CMAKE_COMMAND} -E env OPLUS_PAGE=${page}
+           COMMAND ${CMAKE_COMMAND} -E env OPLUS_PAGE=${page} OPLUS_AXE=${page}-tools/node_modules/axe-core/axe.min.js
                    ${Python_EXECUTABLE} -B -m pytest -q -p no:cacheprovider
                    ${CMAKE_CURRENT_SOURCE_DIR}/checked/bindings/page/${test}_test.py)
 endforeach()
-set_tests_properties(page.core page.browser-page page.browser-proofs PROPERTIES FIXTURES_REQUIRED page)
+list(TRANSFORM of_page PREPEND page.browser-)
+set_tests_properties(page.core ${of_page} PROPERTIES FIXTURES_REQUIRED page)
+set_tests_properties(page.browser-axe PROPERTIES FIXTURES_REQUIRED "page;axe-core")
 
 # The npm module (docs/npm.md): what `npm pack` makes, in an empty folder.
 set(npm ${CMAKE_CURRENT_BINARY_DIR}/npm)

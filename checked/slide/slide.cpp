@@ -15,6 +15,12 @@ using namespace slide;
 
 namespace {
 
+#ifdef OPLUS_FEW_NUMBERS  // of WebAssembly, which is to be small: any numbers do for all that are not small
+constexpr bool has_all_numbers = false;
+#else
+constexpr bool has_all_numbers = true;
+#endif
+
 // What is asked about summands, which are regions, or prepared ones that know it.
 using slide::bits_of_integers, slide::extent_of;
 const Region& region_of(const Region& p) { return p; }
@@ -33,9 +39,10 @@ auto in_numbers_for(const OneSummand& p, const OneSummand& q, SlideNumbers numbe
       return compute.template operator()<SmallNumbers>(scaling_of_integers(std::max(of_p, of_q)));
   }
   const Extent &of_p = extent_of(p), &of_q = extent_of(q);
-  if (numbers == SlideNumbers::rationals || (as_needed && has_unlike_denominators(of_p, of_q)))
-    return compute.template operator()<RationalNumbers>(
-        scaling_of_rationals(region_of(p), region_of(q)));
+  if constexpr (has_all_numbers)
+    if (numbers == SlideNumbers::rationals || (as_needed && has_unlike_denominators(of_p, of_q)))
+      return compute.template operator()<RationalNumbers>(
+          scaling_of_rationals(region_of(p), region_of(q)));
   const auto any = [](const auto& summand) {
     return extent_of(region_of(summand), Denominators::any);
   };
@@ -43,8 +50,9 @@ auto in_numbers_for(const OneSummand& p, const OneSummand& q, SlideNumbers numbe
       of_p.is_unlike || of_q.is_unlike ? scaling_of(any(p), any(q)) : scaling_of(of_p, of_q);
   if (as_needed && scaling.bits <= SmallNumbers::bits)
     return compute.template operator()<SmallNumbers>(scaling);
-  if (numbers != SlideNumbers::gmp && scaling.bits <= WideNumbers::bits)
-    return compute.template operator()<WideNumbers>(scaling);
+  if constexpr (has_all_numbers)
+    if (numbers != SlideNumbers::gmp && scaling.bits <= WideNumbers::bits)
+      return compute.template operator()<WideNumbers>(scaling);
   return compute.template operator()<AnyNumbers>(scaling);
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <bit>
 #include <boost/algorithm/string/case_conv.hpp>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
@@ -204,8 +205,11 @@ class GeometryText {
   template <typename Add>
   void add_tagged(const std::string& type, Add add_content,
                   const std::string& member = "coordinates") {
-    text_ += is_json_ ? R"({"type": ")" + type + R"(", ")" + member + "\": "
-                      : boost::algorithm::to_upper_copy(type) + ' ';
+    if (is_json_) text_ += R"({"type": ")" + type + R"(", ")" + member + "\":";
+    // Not by Boost, whose locales are large in WebAssembly.
+    else
+      for (const unsigned char c : type) text_ += static_cast<char>(std::toupper(c));
+    text_ += ' ';
     add_content();
     if (is_json_) text_ += '}';
   }

@@ -18,9 +18,8 @@ LINES = (
 BINDINGS = {
     "checked/bindings/python": ("oplus", "checked/slide/parallel_for.hpp",
                                 "checked/oplus/internal/named_operations.hpp"),
-    "checked/bindings/c": ("checked/oplus", "checked/version.hpp"),
-    "checked/bindings/page": ("reference/definitions", "reference/chains", "reference/io", "checked/certificates",
-                              "checked/collision", "checked/cycles", "checked/distance", "checked/slide", "checked/verify"),
+    "checked/bindings/c": ("checked/oplus", "checked/version.hpp", "checked/cycles", "checked/distance", "checked/verify",
+                           "reference/definitions", "reference/io"),
 }
 OURS = ("reference", "checked", "properties", "tests", "docs", "oplus")
 

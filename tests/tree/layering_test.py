@@ -32,7 +32,7 @@ class Layering(TreeTest):
                 ("properties/statements/chapter4/a.cpp", "checked/arrangement/b.hpp"),
                 ("properties/statements/chapter4/a.cpp", "reference/families/b.hpp"),
                 ("checked/bindings/python/a.cpp", "oplus/oplus.hpp"),
-                ("checked/bindings/page/a.cpp", "checked/slide/b.hpp"),
+                ("checked/bindings/c/a.cpp", "checked/cycles/b.hpp"),
                 ("tests/reference/a_test.cpp", "checked/arrangement/b.hpp"),
                 ("tests/reference/a_test.cpp", "tests/corpus/b.hpp")]:
             with self.subTest(name=name, included=included):
@@ -55,8 +55,8 @@ class Layering(TreeTest):
                 ("docs/findings/a.cpp", "reference/definitions/b.hpp"),
                 ("checked/bindings/python/a.cpp", "checked/slide/b.hpp"),
                 ("checked/bindings/python/a.cpp", "reference/definitions/b.hpp"),
-                ("checked/bindings/page/a.cpp", "checked/cli/b.hpp"),
-                ("checked/cli/a.cpp", "checked/bindings/page/b.hpp"),
+                ("checked/bindings/c/a.cpp", "checked/cli/b.hpp"),
+                ("checked/cli/a.cpp", "checked/bindings/c/b.hpp"),
                 ("checked/cli/a.cpp", "properties/runner/b.hpp"),
                 ("checked/cli/a.cpp", "tests/corpus/b.hpp"),
                 ("reference/families/a.cpp", "reference/oracle/b.hpp"),

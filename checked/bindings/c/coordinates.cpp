@@ -103,9 +103,7 @@ oplus_code oplus_fractions(const oplus_set* set, char** text) {
   return c::put(text, [&] {
     std::string all;
     for_each_chain(set, [&](int /*kind*/, const Chain& chain) {
-      for (const Point& vertex : chain)
-        for (const Rational* coordinate : {&vertex.x, &vertex.y})
-          all += (all.empty() ? "" : " ") + coordinate->get_str();
+      for (const Point& vertex : chain) c::append(all, vertex);
     });
     return all;
   });

@@ -88,6 +88,13 @@ OPLUS_PUBLIC oplus_code oplus_from_integers(const int64_t* xy, const size_t* len
 OPLUS_PUBLIC oplus_code oplus_disc(const char* radius, int side, const char* error,
                                    oplus_set** set);
 
+/// Reads what oplus_read_set reads, with all vertices in their order: of a region whose chains cross, too. `chains` has a line
+/// for each chain: its kind, x and y of each vertex, exactly, with blanks between; lines are segments. Where the set is
+/// valid, chains are turned, and `notes` has a line for each that was, and on coordinates beyond x and y. Where it is
+/// not, `fault` says why in a line; else it is "".
+OPLUS_PUBLIC oplus_code oplus_as_written(const char* text, char** chains, char** notes,
+                                         char** fault);
+
 // Sets as they are written.
 
 /// Writes WKT, exactly: with fractions p/q where decimals don't end. With `digits` from 0 to 4096, the set is first
@@ -158,9 +165,35 @@ OPLUS_PUBLIC oplus_code oplus_equal(const oplus_set* a, const oplus_set* b, int*
 
 /// Returns whether what some program claims to be P ⊕ Q is that, 1 or 0, decided by the definitions and by no algorithm
 /// for sums (docs/verify.md). The claim is a text as it was written, by WKT, GeoJSON or .dat, and may be invalid as a
-/// region. `reason` is the first reason why not, in a line, or ""; NULL is allowed. P and Q are bounded regions.
+/// region. `reason` is why not, or "": its first line is a reason, the second "witness: (x, y)" and more; NULL is allowed.
+/// P and Q are bounded regions.
 OPLUS_PUBLIC oplus_code oplus_verify(const oplus_set* p, const oplus_set* q, const char* claimed,
                                      int boundary, int* is_sum, char** reason);
+
+/// Writes a certificate that what is claimed is P ⊕ Q: the program oplus-certified checks it, with P and Q as oplus_wkt
+/// writes them and the claim as it was written (docs/certificates.md). What is not the sum is invalid input.
+OPLUS_PUBLIC oplus_code oplus_certify(const oplus_set* p, const oplus_set* q, const char* claimed,
+                                      int boundary, char** certificate);
+
+// The convolution of two bounded regions (docs/cycles.md), and places of Q.
+
+/// Writes the convolution's cycles, one a line, of each segment six numbers with blanks between: 0 for an edge of P, 1 for
+/// one of Q; its chain and the vertex that it leaves; chain and vertex of the other region, which it is added to; and
+/// whether that is reflex, 1 or 0. All count from 0, and vertices as the texts of P and Q do, turned as
+/// oplus_as_written turns them.
+OPLUS_PUBLIC oplus_code oplus_cycles(const char* p, const char* q, char** cycles);
+
+/// Returns the winding number of a point with respect to the convolution, and the tangent count in the direction (1, 0),
+/// which is equal (docs/winding.md), both on the ray from the point to the right; and whether the point is on the
+/// convolution, 1 or 0.
+OPLUS_PUBLIC oplus_code oplus_winding(const oplus_set* p, const oplus_set* q, const char* x,
+                                      const char* y, int* winding, int* tangents,
+                                      int* on_convolution);
+
+/// Writes a shortest move of Q + x after which it and P only touch: x and y of the move, the square of its length, x and y
+/// of a point where they touch; five numbers, with blanks between. Where P or Q is empty, that is invalid input.
+OPLUS_PUBLIC oplus_code oplus_way_out(const oplus_set* p, const oplus_set* q, const char* x,
+                                      const char* y, char** way);
 
 #ifdef __cplusplus
 }

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // What is asked of a set.
+#include <string_view>
+
 #include "checked/bindings/c/set.hpp"
+#include "checked/verify/verdict_text.hpp"
 
 using namespace oplus;
 
@@ -38,10 +41,17 @@ oplus_code oplus_verify(const oplus_set* p, const oplus_set* q, const char* clai
     const Verdict verdict =
         verify(c::region(p, "p"), c::region(q, "q"),
                read_claimed_sum(&c::given(claimed, "claimed")), c::boundary(boundary));
-    std::string why;
-    if (!verdict.is_sum())
-      why = describe(verdict.reasons.front().kind) + ": " + verdict.reasons.front().detail;
+    constexpr std::string_view no = "no: ";
+    const std::string why = verdict.is_sum() ? "" : text_of(verdict).substr(no.size());
     if (reason != nullptr) *reason = c::copied(why);
     is = verdict.is_sum() ? 1 : 0;
+  });
+}
+
+oplus_code oplus_certify(const oplus_set* p, const oplus_set* q, const char* claimed, int boundary,
+                         char** certificate) {
+  return c::put(certificate, [&] {
+    return certify(c::region(p, "p"), c::region(q, "q"),
+                   read_claimed_sum(&c::given(claimed, "claimed")), c::boundary(boundary));
   });
 }

@@ -30,6 +30,17 @@ inline Boundary boundary(int number) {
   return one_of(number, OPLUS_OPEN, "boundary") == OPLUS_OPEN ? Boundary::open : Boundary::closed;
 }
 
+/// Appends a number, exactly, and a blank before it.
+inline void append(std::string& text, const Rational& number) {
+  if (!text.empty() && text.back() != '\n') text += ' ';
+  text += number.get_str();
+}
+
+inline void append(std::string& text, const Point& point) {
+  append(text, point.x);
+  append(text, point.y);
+}
+
 /// Puts the set that a call returns through a pointer.
 template <typename Call>
 oplus_code put(oplus_set** result, const Call& call) noexcept {

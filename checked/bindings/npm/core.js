@@ -6,8 +6,8 @@ let core, out;
 
 export async function start(source) {
   core = await load(source);
-  // Where functions put their results: two of at most eight bytes each.
-  out = core.exports.malloc(16);
+  // Where functions put their results: three of at most eight bytes each.
+  out = core.exports.malloc(24);
 }
 
 /** What is thrown for bad input ("invalid"), too little memory ("memory"), and faults of oplus ("failed"). */
@@ -27,7 +27,7 @@ export function call(name, values, result) {
     throw new OplusError("text: it has a zero character; expected none", "invalid");
   return core.with(copied, (...pointers) => {
     const code = core.exports[`oplus_${name}`](...values.map((value) => copied.includes(value) ? pointers.shift() : value),
-      out, out + 8);
+      out, out + 8, out + 16);
     if (code !== 0)
       throw new OplusError(core.text(core.exports.oplus_message()), ["", "invalid", "memory", "failed"][code]);
     return result();
@@ -35,7 +35,7 @@ export function call(name, values, result) {
 }
 
 export const pointer = () => core.view(Uint32Array, out, 1)[0];
-export const integer = () => core.view(Int32Array, out, 1)[0];
+export const integer = (place = 0) => core.view(Int32Array, out + place, 1)[0];
 export const double = () => core.view(Float64Array, out, 1)[0];
 
 /** The text at a place of `out`, which is freed. */

@@ -78,7 +78,33 @@ export function complement(p: Shape): PlanarSet;
 export function rounded(p: Shape, step: Coordinate, options?: {side?: "nearest" | "contain" | "contained"}): PlanarSet;
 /** A polygon around the disc about the origin, or contained in it, which differs from it by at most `error`. */
 export function disc(radius: Coordinate, error: Coordinate, options?: {side?: "contain" | "contained"}): PlanarSet;
-/** Whether what some program claims to be P ⊕ Q is that, by the definitions; else the first reason why not. */
+/** A shape as it is written, with all vertices in their order, of a region whose chains cross, too; lines are segments.
+ * `fault` says why it is no valid shape; chains of a valid one are turned, and `notes` say which were. */
+export function asWritten(shape: Shape): {
+  chains: {kind: "outer" | "hole" | "line" | "point", vertices: [Fraction, Fraction][]}[];
+  notes: string[];
+  fault?: string;
+};
+/** A segment of the convolution: an edge, which leaves a vertex, and a vertex of the other region. Each is its chain and its
+ * number there, from 0, in the order of asWritten. */
+export interface ConvolutionSegment {
+  edgeOf: "P" | "Q";
+  edge: [number, number];
+  vertex: [number, number];
+  isReflex: boolean;
+}
+/** The cycles of the convolution of two regions. */
+export function cycles(p: Shape, q: Shape): ConvolutionSegment[][];
+/** The winding number of x with respect to the convolution, and the tangent count, which is equal: x is inside the sum iff
+ * they are positive. Where x is on the convolution both are those of the ray to the right. */
+export function windingNumber(p: Shape, q: Shape, x: Point): {winding: number; tangents: number; onConvolution: boolean};
+/** A shortest move of Q + x after which it and P only touch, and where. */
+export function wayOut(p: Shape, q: Shape, x?: Point):
+  {move: [Fraction, Fraction]; squaredLength: Fraction; contact: [Fraction, Fraction]};
+/** What shows the program oplus-certified that a sum is right, with the WKT of P and Q. Throws OplusError where it is wrong. */
+export function certificate(p: Shape, q: Shape, claimed: Shape, options?: {open?: boolean}): string;
+/** Whether what some program claims to be P ⊕ Q is that, by the definitions; else why not: a line with a reason,
+ * one with a witness, a point, and more. */
 export function verify(p: Shape, q: Shape, claimed: Shape, options?: {open?: boolean}):
   {isSum: true, reason?: undefined} | {isSum: false, reason: string};
 /** The version of oplus, such as "0.1.0". */

@@ -105,8 +105,7 @@ export class PlanarSet {
     const result = {polygons: [], lines: [], points: []};
     let at = 0;
     for (const [kind, xy] of chains(this[internal])) {
-      const values = isExact ? written.slice(at, at += xy.length) : xy, vertices = [];
-      for (let i = 0; i < values.length; i += 2) vertices.push([values[i], values[i + 1]]);
+      const vertices = pairs(isExact ? written.slice(at, at += xy.length) : xy);
       if (kind === kinds.outer) result.polygons.push([vertices]);
       else if (kind === kinds.hole) result.polygons.at(-1).push(vertices);
       else if (kind === kinds.line) result.lines.push(vertices);
@@ -136,6 +135,52 @@ export function rounded(p, step, {side = "nearest"} = {}) { return make("rounded
 export function disc(radius, error, {side = "contain"} = {}) {
   return make("disc", [], [exact(radius), sides.indexOf(side), exact(error)]);
 }
+
+/** The numbers of a line that C writes. */
+const numbersOf = (line) => line.split(" ").map(fraction);
+const linesOf = (written) => written.split("\n").slice(0, -1);
+
+function pairs(numbers) {
+  const result = [];
+  for (let i = 0; i < numbers.length; i += 2) result.push([numbers[i], numbers[i + 1]]);
+  return result;
+}
+
+export function asWritten(shape) {
+  return call("as_written", [textOf(shape)], () => {
+    const [lines, notes, fault] = [text(), text(8), text(16)];
+    const chains = linesOf(lines).map((line) => {
+      const [kind, ...numbers] = line.split(" ");
+      return {kind: Object.keys(kinds)[kind], vertices: pairs(numbers.map(fraction))};
+    });
+    return {chains, notes: linesOf(notes), ...(fault && {fault})};
+  });
+}
+
+export function cycles(p, q) {
+  return linesOf(call("cycles", [textOf(p), textOf(q)], text)).map((line) => {
+    const numbers = line.trim().split(" ").map(Number), cycle = [];
+    for (let i = 0; i < numbers.length; i += 6) {
+      const [of, edgeChain, edge, vertexChain, vertex, isReflex] = numbers.slice(i, i + 6);
+      cycle.push({edgeOf: "PQ"[of], edge: [edgeChain, edge], vertex: [vertexChain, vertex], isReflex: isReflex === 1});
+    }
+    return cycle;
+  });
+}
+
+export const windingNumber = (p, q, x) => using([p, q], (...both) => call("winding", [...both, ...place(x)],
+  () => ({winding: integer(), tangents: integer(8), onConvolution: integer(16) === 1})));
+
+export function wayOut(p, q, x = [0, 0]) {
+  const [move, [squaredLength, ...contact]] = using([p, q], (...both) => {
+    const numbers = numbersOf(call("way_out", [...both, ...place(x)], text));
+    return [numbers.slice(0, 2), numbers.slice(2)];
+  });
+  return {move, squaredLength, contact};
+}
+
+export const certificate = (p, q, claimed, {open = false} = {}) =>
+  using([p, q], (...both) => call("certify", [...both, textOf(claimed), Number(open)], text));
 
 export function verify(p, q, claimed, {open = false} = {}) {
   return using([p, q], (...both) => call("verify", [...both, textOf(claimed), Number(open)], () => {

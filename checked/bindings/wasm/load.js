@@ -51,6 +51,10 @@ function system(memory) {
   };
 }
 
+/** Unpacks what gzip has packed, unless a server's header has had that done. */
+const unpacked = (bytes) => new Uint8Array(bytes)[0] !== 0x1f ? bytes
+  : new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"))).arrayBuffer();
+
 /** Loads a core of bytes, or of what fetch() returns. */
 export async function load(source) {
   let exports;
@@ -61,7 +65,7 @@ export async function load(source) {
     env: {emscripten_notify_memory_growth() {}, __call_sighandler() {}},
     wasi_snapshot_preview1: system(() => new DataView(exports.memory.buffer)),
   };
-  ({exports} = (await WebAssembly.instantiate(bytes, imports)).instance);
+  ({exports} = (await WebAssembly.instantiate(await unpacked(bytes), imports)).instance);
   exports._initialize();
   return new Core(exports);
 }

@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: MIT
-import {ask, onLate} from "./core.js";
-import {Drawing, drawSum, drawSummands, element} from "./drawing.js";
+import {ask, onLate} from "./asking.js";
+import {Drawing, drawSlide, drawSum, drawSummands, element} from "./drawing.js";
+import * as files from "./files.js";
+import {show} from "./gallery.js";
+import * as history from "./history.js";
 import * as proofs from "./proofs.js";
-import {examples, layers, read, write} from "./state.js";
+import * as saved from "./saved.js";
+import {SlideControls} from "./slide_controls.js";
+import {address, layers, read, stateOf} from "./state.js";
+import {captions, countsLine, placementLine, segmentLine, verdictLines, words} from "./words.js";
 
 const $ = (id) => document.getElementById(id);
 let state = read("");
@@ -13,15 +19,31 @@ let drag = null;
 let held = null;  // the move that arrow keys ask for and the core has not got yet
 const summands = new Drawing($("summands")), sum = new Drawing($("sum"));
 const handles = new Map();
+const slide = new SlideControls(() => ({valid, what: state.what, q: state.q}), summands, () => draw());
 onLate(() => { $("status").textContent = "Computing."; });
 summands.redraw = sum.redraw = () => draw();
 
+/** The state has been reached: it is in the address, and can be come back to. */
+function keep(dragged) {
+  const now = address(state);
+  window.history.replaceState(null, "", now);
+  history.record(now, dragged);
+  $("undo").disabled = !history.canUndo();
+  $("redo").disabled = !history.canRedo();
+}
+
+/** Proved are sums of regions, exactly. */
+const isProvable = () => state.what === "sum" && !state.grid
+  && !["p", "q"].some((of) => answer?.[of].kinds.some((kind) => kind === "line" || kind === "point"));
+const provable = () => ({...state, proved: state.proved && isProvable()});
+
 /** With the proved sum, if P and Q are to be what they are. */
-const request = (edit) => ({p: state.p, q: state.q, x: state.x, step: state.step, open: state.open, s: state.s,
-  sum: !edit || edit.of === "x" ? proofs.sumOf(state) : undefined, ...(edit && {edit})});
+const request = (edit) => ({p: state.p, q: state.q, x: state.x, step: state.step, what: state.what, open: state.open,
+  grid: state.grid, side: state.side, s: state.s,
+  sum: !edit || edit.of === "x" ? proofs.sumOf(provable()) : undefined, ...(edit && {edit})});
 
 /** Takes an answer as the new state, or says why there is none. */
-function take(given, after) {
+function take(given, after, dragged) {
   const {error, refused} = given;
   $("error").hidden = !error;
   $("error").textContent = error ?? "";
@@ -37,12 +59,13 @@ function take(given, after) {
   state.q = answer.q.wkt;
   state.x = answer.x;
   if (!error) valid = answer;
+  slide.check();
   after?.();
   if (valid) {
     state.cycle = Math.min(state.cycle, Math.max(0, valid.cycles.length - 1));
     state.at = Math.min(state.at, Math.max(0, (valid.cycles[state.cycle]?.length ?? 1) - 1));
   }
-  if (!drag) write(state);
+  if (!drag) keep(dragged);
   draw();
   prove();
   tell();
@@ -50,9 +73,9 @@ function take(given, after) {
 
 function prove() {
   if (drag || !answer) return;
-  proofs.prove(state, () => {
+  proofs.prove(provable(), () => {
     tell();
-    if (proofs.sumOf(state)) update();
+    if (proofs.sumOf(provable())) update();
   });
 }
 
@@ -87,7 +110,9 @@ function move(edit) {
 function fit() {
   if (!answer) return;
   summands.fit([...answer.p.chains, ...answer.q.chains, ...(answer.placement?.q ?? [])].flat());
-  if (valid) sum.fit([...valid.cycles.flat().flatMap(([a, b, c, d]) => [[a, b], [c, d]]), answer.at]);
+  if (!valid) return;
+  const ends = ([a, b, c, d]) => [[a, b], [c, d]], {outer, dangling, isolated} = valid.sum;
+  sum.fit([...outer.flat(), ...isolated, ...[...dangling, ...valid.cycles.flat()].flatMap(ends), answer.at]);
 }
 
 function refit() {
@@ -98,6 +123,7 @@ function refit() {
 function draw() {
   if (!answer) return;
   drawSummands(summands, answer, state.layers);
+  if (slide.shown) drawSlide(summands, slide.shown, answer.q);
   if (valid) drawSum(sum, {...valid, verdict: answer.verdict}, state.layers, state, answer !== valid);
   drawHandles();
 }
@@ -146,14 +172,29 @@ function drawHandles() {
 const typed = new Set();  // P and Q that were typed and are not used yet, and a certificate that was
 const field = (id, text) => { if (document.activeElement !== $(id) && !typed.has(id)) $(id).value = text; };
 
+/** What is chosen, not typed. */
+function tellChoices() {
+  $("what").value = state.what;
+  $("side").value = state.side;
+  $("open").checked = state.open;
+}
+
 /** All texts of the page. */
 function tell() {
+  tellChoices();
   const isStale = answer !== valid, {p, q} = answer;
   $("proved").checked = state.proved;
-  const same = proofs.sumOf(state) ? valid.sum.same : undefined;  // of the proved sum; none before it is shown
-  $("proof").textContent = proofs.lineOfSum(state)
+  const same = proofs.sumOf(provable()) ? valid.sum.same : undefined;  // of the proved sum; none before it is shown
+  $("proof").textContent = (state.proved && !isProvable() ? "Sums of regions only are proved, not rounded." : proofs.lineOfSum(state))
     + (same === undefined ? "" : same ? " The core computes the same one." : " The core computes another one.");
-  $("sum-caption").textContent = same === undefined ? "P ⊕ Q" : "P ⊕ Q, proved";
+  $("sum-caption").textContent = captions[state.what] + (same === undefined ? "" : ", proved") + (valid?.exact ? ", rounded" : "");
+  $("placed-caption").textContent = state.what === "sum" ? "−Q + x" : "Q + x";
+  $("word").textContent = words[state.what];
+  $("along").textContent = state.what === "sum" ? "along P" : "along the boundary of the result";
+  $("open").disabled = state.what !== "sum";
+  $("play").disabled = $("slide").disabled = !valid;
+  $("check").disabled = !isProvable();
+  field("grid", state.grid);
   const {line = "", isWrong = false, text = ""} = proofs.verdictOf(state);
   $("certified").textContent = line;
   $("certified").classList.toggle("wrong", isWrong);
@@ -165,7 +206,6 @@ function tell() {
   field("x0", answer.x[0]);
   field("x1", answer.x[1]);
   field("step", state.step);
-  $("open").checked = state.open;
   $("selected").textContent = !selected ? "nothing" : selected.of === "x" ? "x"
     : handles.get(`${selected.of} ${selected.chain} ${selected.vertex}`)?.getAttribute("aria-label") ?? "nothing";
   $("add").disabled = $("remove").disabled = !selected || selected.of === "x";
@@ -173,25 +213,16 @@ function tell() {
   const notes = [...p.notes, ...q.notes].join("; ");
   $("status").textContent = isStale ? "P or Q is invalid." : `P: ${p.vertices}. Q: ${q.vertices}.` + (notes && ` ${notes}.`);
   if (!valid) return;
-  const {sum: set, cycles, segments, reduced, placement} = valid, {verdict} = answer;
+  const {sum: set, cycles} = valid, {verdict} = answer;
   $("sum-wkt").value = set.wkt;
-  const count = (list, one, many) => `${list.length} ${list.length === 1 ? one : many}`;
-  $("counts").textContent = `Area ${set.area}; ${count(set.outer, "outer chain", "outer chains")}, ${count(set.holes, "hole", "holes")}, `
-    + `${count(set.dangling, "dangling edge", "dangling edges")}, ${count(set.isolated, "isolated vertex", "isolated vertices")}. `
-    + `Convolution: ${segments} segments, ${reduced} of them reduced.`;
-  $("placement").textContent = `x = (${valid.x.join(", ")}) is ${placement.location} the sum. The interiors of P and −Q + x `
-    + `${placement.meet ? "meet" : "do not meet"}.\nWinding number ${placement.winding}, tangent count ${placement.tangents}`
-    + (placement.on_convolution ? ", both on the ray to the right: x is on the convolution." : ".")
-    + (placement.move ? `\nMoved by ${placement.move}, whose squared length is ${placement.squared}, they only touch, in `
-      + `${placement.contact}.` : "");
+  $("counts").textContent = countsLine(valid);
+  $("placement").textContent = placementLine(valid, state.what);
   const options = cycles.map((cycle, i) => new Option(`${i + 1} of ${cycles.length}: ${cycle.length} segments`, i));
   if ([...$("cycle").options].map((o) => o.text).join() !== options.map((o) => o.text).join())
     $("cycle").replaceChildren(...options);
   $("cycle").value = state.cycle;
-  const at = cycles[state.cycle]?.[state.at];
-  $("segment").textContent = !at ? "The convolution is empty."
-    : `Segment ${state.at + 1} of ${cycles[state.cycle].length}: ${at[5]}, from ${at[6]}` + (at[4] ? "; reflex vertex, not in the reduced convolution." : ".");
-  $("verdict").textContent = !verdict ? "" : verdict.error ?? [verdict.text.trim(), ...verdict.notes.map((n) => "note: " + n)].join("\n");
+  $("segment").textContent = segmentLine(cycles[state.cycle], state.at);
+  $("verdict").textContent = verdictLines(verdict);
   $("verdict").classList.toggle("wrong", Boolean(verdict && !verdict.is_sum));
 }
 
@@ -206,7 +237,8 @@ function change(changes, after) {
   }, (given) => {
     if (given.refused) {
       state = before;
-      write(state);
+      keep();
+      tellChoices();
     }
     if (given.refused && !answer) ask(request, (first) => { take(first, fit); take(given); });
     else take(given, after);
@@ -244,17 +276,18 @@ for (const drawing of [summands, sum]) {
   });
   svg.addEventListener("pointermove", (event) => {
     if (drag?.drawing !== drawing || !event.isPrimary) return;
-    const place = drawing.place(event), {vertex, how, from, p, q, x, pressed: [left, top]} = drag;
+    const place = drawing.place(event), {vertex, how, from, p, q, x, pressed: [left, top]} = drag, dragged = drag;
     drag.isClick &&= Math.hypot(event.clientX - left, event.clientY - top) < 4;
     const at = steps(how === "to" ? place : [place[0] - from[0], place[1] - from[1]]);
     if (drag.isClick || !at.every(Number.isFinite)) return;
     // From where it started: the core may turn a chain on the way, and number its vertices anew.
-    ask(() => ({...request({...vertex, how, at}), p, q, x}), take, true);
+    ask(() => ({...request({...vertex, how, at}), p, q, x}), (given) => take(given, undefined, dragged), true);
   });
   const drop = () => {
     if (!drag) return;
+    const dragged = drag;
     drag = null;
-    write(state);
+    keep(dragged);
     prove();
   };
   svg.addEventListener("pointerup", drop);
@@ -273,6 +306,7 @@ summands.svg.addEventListener("dblclick", (event) => {
   let best = null;
   for (const of of ["p", "q"])
     answer[of].chains.forEach((chain, c) => chain.forEach((a, v) => {
+      if (v === chain.length - 1 && ["line", "point"].includes(answer[of].kinds[c])) return;
       const b = chain[(v + 1) % chain.length], [dx, dy] = [b[0] - a[0], b[1] - a[1]];
       const t = Math.max(0, Math.min(1, ((place[0] - a[0]) * dx + (place[1] - a[1]) * dy) / (dx * dx + dy * dy)));
       const far = Math.hypot(a[0] + t * dx - place[0], a[1] + t * dy - place[1]) * summands.scale;
@@ -337,15 +371,19 @@ for (const [name, [label, colour]] of Object.entries(layers)) {
   $("layers").append(line);
   box.addEventListener("change", () => {
     state.layers = Object.keys(layers).filter((one) => $("layer-" + one).checked);
-    write(state);
+    keep();
     draw();
   });
 }
-$("example").append(new Option("choose", ""), ...Object.keys(examples).map((name) => new Option(name)));
-$("example").addEventListener("change", () => {
-  const pair = examples[$("example").value];
-  if (pair) change({p: pair[0], q: pair[1], s: ""}, refit);
+show($("gallery"), (example) => {
+  $("example").textContent = `${example.statement}. ${example.text}`;
+  change(stateOf(example, state), () => {
+    $("s-wkt").value = "";
+    selected = null;
+    refit();
+  });
 });
+for (const name of ["what", "grid", "side"]) $(name).addEventListener("change", () => change({[name]: $(name).value.trim()}, fit));
 $("open").addEventListener("change", () => change({open: $("open").checked}));
 $("step").addEventListener("change", () => change({step: $("step").value}));
 $("move-x").addEventListener("click", () => change({x: [$("x0").value, $("x1").value]}));
@@ -360,17 +398,15 @@ for (const name of ["p", "q", "s"]) {
 }
 $("proved").addEventListener("change", () => {
   state = {...state, proved: $("proved").checked};
-  write(state);
+  keep();
   update();
 });
 $("certificate").addEventListener("input", () => typed.add("certificate"));
 $("check").addEventListener("click", () => {
-  ask(() => ({...request(), certificate: true}), (given) => {
-    take(given);
-    if (!$("certificate").value) typed.delete("certificate");
-    const other = typed.has("certificate") ? $("certificate").value : undefined;
-    if (given.certificate) proofs.check(state, given.certificate, other, tell);
-  });
+  if (!answer) return;
+  if (!$("certificate").value) typed.delete("certificate");
+  const other = typed.has("certificate") ? $("certificate").value : undefined;
+  ask(() => ({certify: [state.p, state.q]}), (made) => proofs.check(state, made, other, tell));
 });
 $("cancel").addEventListener("click", () => {
   proofs.cancel();
@@ -392,16 +428,30 @@ function walk(cycle, at) {
   if (!length) return;
   state = {...state, cycle, at: (at + length) % length,
     layers: state.layers.includes("cycle") ? state.layers : [...state.layers, "cycle"]};
-  write(state);
+  keep();
   draw();
   tell();
 }
 
-function start() {
-  change(read(location.hash), () => {
+/** Goes to the state of an address. */
+function goTo(hash, after) {
+  change(read(hash), () => {
     $("s-wkt").value = state.s;
     selected = null;
+    typed.clear();
+    after?.();
+  });
+}
+
+history.listen((hash) => goTo(hash));
+files.listen((texts) => change(texts, refit));
+
+saved.listen(() => valid && {result: valid.sum, svg: sum.svg});
+
+function start() {
+  goTo(location.hash, () => {
     refit();
+    navigator.serviceWorker?.register("offline.js");
   });
 }
 addEventListener("hashchange", start);

@@ -72,10 +72,9 @@ export class Drawing {
       this.middle[1] - (event.clientY - box.top - this.svg.clientTop - height / 2) / this.scale];
   }
 
-  path(chains) {
-    return chains.filter((chain) => chain.length)
-      .map((chain) => "M" + chain.map((p) => this.pixel(p).join()).join("L") + "Z").join("");
-  }
+  way(chain) { return chain.length ? "M" + chain.map((p) => this.pixel(p).join()).join("L") : ""; }
+  path(chains) { return chains.filter((chain) => chain.length).map((chain) => this.way(chain) + "Z").join(""); }
+  shape(chains, kinds) { return chains.map((chain, i) => this.way(chain) + (kinds[i] === "line" ? "" : "Z")).join(""); }
 
   lines(segments) {
     return segments.map(([a, b, c, d]) => `M${this.pixel([a, b])}L${this.pixel([c, d])}`).join("");
@@ -103,12 +102,14 @@ export class Drawing {
 export function drawSummands(drawing, answer, layers) {
   drawing.clear();
   for (const of of ["p", "q"]) {
-    const shape = answer[of];
-    drawing.add("path", {class: of + (shape.error ? " invalid" : ""), d: drawing.path(shape.chains),
-      "fill-rule": "evenodd", "data-of": of});
+    const shape = answer[of], wrong = shape.error ? " invalid" : "";
+    const isRing = (_, i) => ["outer", "hole"].includes(shape.kinds[i]);
+    drawing.add("path", {class: of + wrong, d: drawing.path(shape.chains.filter(isRing)), "fill-rule": "evenodd", "data-of": of});
+    const lines = shape.chains.filter((_, i) => shape.kinds[i] === "line");
+    if (lines.length) drawing.add("path", {class: of + " line" + wrong, d: lines.map((line) => drawing.way(line)).join(""), "data-of": of});
   }
   if (answer.placement && layers.includes("placed"))
-    drawing.add("path", {class: "placed", d: drawing.path(answer.placement.q)});
+    drawing.add("path", {class: "placed", d: drawing.shape(answer.placement.q, answer.q.kinds)});
   drawing.origin();
 }
 
@@ -118,6 +119,8 @@ export function drawSum(drawing, answer, layers, walk, isStale) {
   const shown = (name) => layers.includes(name);
   if (shown("sum")) drawing.add("path", {class: "area" + (isStale ? " stale" : ""),
     d: drawing.path([...sum.outer, ...sum.holes]), "data-layer": "sum"});
+  if (answer.exact) drawing.add("path", {class: "exact", d: drawing.path([...answer.exact.outer, ...answer.exact.holes])
+    + drawing.lines(answer.exact.dangling), "data-layer": "exact"});
   if (shown("holes")) drawing.add("path", {class: "hole", d: drawing.path(sum.holes), "data-layer": "holes"});
   const all = cycles.flat();
   if (shown("convolution"))
@@ -144,4 +147,11 @@ export function drawSum(drawing, answer, layers, walk, isStale) {
     if (verdict.witness) drawing.cross(verdict.witness, "witness");
   }
   drawing.origin();
+}
+
+/** Q on its way, and what it has swept. */
+export function drawSlide(drawing, {at, swept}, q) {
+  drawing.add("path", {class: "swept", d: drawing.path([...swept.outer, ...swept.holes]) + drawing.lines(swept.dangling), "data-layer": "swept"});
+  const moved = q.chains.map((chain) => chain.map((v) => v.map((c, i) => c + at[i])));
+  drawing.add("path", {class: "q slid", d: drawing.shape(moved, q.kinds), "fill-rule": "evenodd", "data-layer": "slid"});
 }

@@ -32,9 +32,9 @@ export function prove(state, tell) {
 
 export const lineOfSum = (state) => state.proved ? sum.line ?? "" : "";
 
-/** Asks about a certificate of the core, {sum, text}, or about a text that was typed in place of it. */
-export function check(state, {sum: s, text, error}, typed, tell) {
-  const of = pair({...state, open: false});
+/** Asks about a certificate of the core, {certificate: {p, q, sum, text}}, or about a text that was typed in place of it. */
+export function check(state, {certificate, error}, typed, tell) {
+  const of = pair({...state, open: false}), {p, q, sum: s, text = ""} = certificate ?? {};
   const told = (line, isWrong = false) => {
     verdict = {pair: of, line, isWrong, text};
     tell();
@@ -43,7 +43,7 @@ export function check(state, {sum: s, text, error}, typed, tell) {
     told(error, true);
     return;
   }
-  checking.ask([state.p, state.q, s, typed ?? text], ({code, text: said, ms}) => told(
+  checking.ask([p, q, s, typed ?? text], ({code, text: said, ms}) => told(
     code ? `Refused: ${said}.` : `Accepted in ${ms} ms: ${s} is the closed sum of P and Q.`, code !== 0));
   told("The proved checker is checking.");
 }

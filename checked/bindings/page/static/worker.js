@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-import {load} from "./load.js";
+import {start} from "./oplus/core.js";
 
-const loaded = load(fetch(new URL("oplus.wasm", import.meta.url)));
+const loaded = start(fetch(new URL("oplus/oplus.wasm.gz", import.meta.url))).then(() => import("./answers.js"));
 onmessage = async ({data}) => {
   try {
-    const core = await loaded;
-    const text = core.with([JSON.stringify(data)], (request) => core.text(core.exports.oplus_answer(request)));
-    postMessage(JSON.parse(text));
+    const {answer} = await loaded;
+    postMessage(answer(data));
   } catch {
     postMessage({error: "the core has stopped; reload the page", refused: true});
   }

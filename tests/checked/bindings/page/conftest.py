@@ -71,6 +71,13 @@ class Page:
     def drag(self, what, by):
         ActionChains(self.driver).drag_and_drop_by_offset(what, *by).perform()
 
+    def example(self, title):
+        """Chooses an example of the gallery."""
+        [button] = [one for one in self.driver.find_elements(By.CSS_SELECTOR, "#gallery button")
+                    if one.find_element(By.TAG_NAME, "span").text == title]
+        button.click()
+        self.until(lambda: self.text("status").startswith("P:"))
+
     def layer(self, name):
         return self.driver.find_elements(By.CSS_SELECTOR, f'#sum [data-layer="{name}"]')
 
