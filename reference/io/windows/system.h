@@ -5,5 +5,9 @@
 #define NOMINMAX
 #include <io.h>
 #include <windows.h>
+// After it.
+#include <psapi.h>
+#undef far
+#undef near
 
 inline HANDLE handle_of(int descriptor) { return reinterpret_cast<HANDLE>(_get_osfhandle(descriptor)); }

@@ -4,6 +4,8 @@
 #include_next <unistd.h>
 #include <wchar.h>
 
+inline int access(const wchar_t* path, int how) { return _waccess(path, how); }
+
 inline int unlink(const wchar_t* path) { return _wunlink(path); }
 
 inline ssize_t write(int descriptor, const void* data, size_t size) {

@@ -2,8 +2,6 @@
 #pragma once
 
 #include "../system.h"
-// After it.
-#include <psapi.h>
 
 // No limits are known.
 #define RLIMIT_DATA 0
