@@ -29,13 +29,7 @@ target_link_libraries(example-from_clipper PRIVATE ${CLIPPER_LIBRARY})
 add_test(NAME docs.readme-program
          COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_SOURCE_DIR}/docs/readme_program.py)
 # The C interface, in a program of C and in those of other languages.
-enable_language(C)
-set(of_c ${CMAKE_CURRENT_SOURCE_DIR}/checked/bindings/c)
-add_executable(oplus-c-test ${of_c}/oplus_test.c)
-target_link_libraries(oplus-c-test PRIVATE oplus::c Threads::Threads)
-target_compile_options(oplus-c-test PRIVATE -std=c99 -Wall -Wextra -Wpedantic -Wstrict-prototypes)
-target_compile_definitions(oplus-c-test PRIVATE _XOPEN_SOURCE=700 "OPLUS_VERSION=\"${PROJECT_VERSION}\"")
-add_test(NAME c.functions COMMAND oplus-c-test)
+include(c_interface.cmake)
 add_test(NAME c.exported COMMAND ${Python3_EXECUTABLE} -B ${of_c}/exported.py $<TARGET_FILE:oplus_c>)
 foreach(language c rs lua)
   add_test(NAME c.example-${language}
@@ -201,3 +195,11 @@ add_test(NAME packages.wheel
          COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/checked/install/install_wheel ${PROJECT_BINARY_DIR} ${PROJECT_VERSION})
 set_tests_properties(packages.wheel PROPERTIES TIMEOUT 1200 COST 600)
 
+# Other compilers, libraries and systems, one after another.
+execute_process(COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/platforms/run --list OUTPUT_VARIABLE rows COMMAND_ERROR_IS_FATAL ANY)
+string(REGEX MATCHALL "[^\n]+" rows "${rows}")
+foreach(row IN LISTS rows)
+  string(REGEX REPLACE " .*" "" row "${row}")
+  add_test(NAME platforms.${row} COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/platforms/run ${row})
+  set_tests_properties(platforms.${row} PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 7200 RESOURCE_LOCK platforms)
+endforeach()

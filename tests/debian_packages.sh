@@ -50,6 +50,23 @@ install_missing_packages() {
     "${as_root[@]}" install --yes --no-install-recommends "${missing[@]}" </dev/null >/dev/null
 }
 
+# unpack_source PACKAGE FOLDER: what Debian's package is made from, into FOLDER/source. By apt, which checks signatures;
+# from where this machine has its packages, with lists of its own, since most machines list no sources.
+unpack_source() (
+  mkdir -p "$2"/{apt/lists/partial,apt/cache/archives/partial,source}
+  cd "$2"
+  sed 's/^Types: deb$/Types: deb-src/' /etc/apt/sources.list.d/debian.sources >debian.sources
+  apt=(apt-get -qq -o Dir::Etc::sourcelist="$2/debian.sources" -o Dir::Etc::sourceparts=-
+       -o Dir::State::lists="$2/apt/lists" -o Dir::Cache="$2/apt/cache"
+       -o APT::Sandbox::User="$(id -un)")
+  "${apt[@]}" update
+  "${apt[@]}" source --download-only "$1"
+  tar xf "$1"_*.orig.tar.?z -C source --strip-components=1
+  # Debian leaves manuals out that are not free; configure asks for them.
+  mkdir -p source/doc
+  [ -f source/doc/Makefile.in ] || printf 'all install:\n' >source/doc/Makefile.in
+)
+
 # Clones in different folders share the cache. Without a writable cache ccache is disabled.
 set_up_ccache() {
   command -v ccache >/dev/null || return 0

@@ -46,7 +46,7 @@ class Scale {
       for (const Point& p : {s.segment.source, s.segment.target})
         bits = std::max({bits, bits_of(p.x), bits_of(p.y)});
     }
-    if (bits > 256) shift_ = bits;
+    if (bits > 256) shift_ = static_cast<mp_bitcnt_t>(bits);
   }
 
   Kernel::Point_2 scaled(const Point& p) const {
@@ -68,7 +68,7 @@ class Scale {
     return numerator + 1 > denominator ? numerator + 1 - denominator : 0;
   }
 
-  std::size_t shift_ = 0;
+  mp_bitcnt_t shift_ = 0;
 };
 
 /// A curve a strand. A segment's edge belongs to a chain, translated by the segment's vertex; a

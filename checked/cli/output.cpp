@@ -79,7 +79,7 @@ std::optional<OutputGrid> output_grid(const RoundingOptions& options) {
   const Side side = options.side.value_or(Side::nearest);
   if (options.digits)
     return OutputGrid{
-        Rational(1) / Rational(power_of_ten(static_cast<unsigned long>(*options.digits))), side};
+        Rational(1) / Rational(power_of_ten(static_cast<std::size_t>(*options.digits))), side};
   return OutputGrid{positive_number("--grid", "a step", *options.grid), side};
 }
 

@@ -34,7 +34,8 @@ std::vector<GridPoint> octant(const Ring& ring, const mpz_class& outer, unsigned
   const auto [cosine, sine] =
       rational_rotation(Rational(90) / m, Rational(1, mpz_class((outer + 1) * m)));
   const mpz_class& denominator = cosine.get_den();
-  const mpz_class one = mpz_class(1) << (mpz_sizeinbase(mpz_class(outer * m).get_mpz_t(), 2) + 8);
+  const std::size_t bits = mpz_sizeinbase(mpz_class(outer * m).get_mpz_t(), 2) + 8;
+  const mpz_class one = mpz_class(1) << static_cast<mp_bitcnt_t>(bits);
   std::vector<GridPoint> points;
   mpz_class x = one, y = 0;
   for (unsigned long i = 0; 2 * i <= m; ++i) {
@@ -120,7 +121,7 @@ bool is_between_discs(const Chain& chain, const Rational& inner, const Rational&
 }
 
 std::optional<Chain> polygon_between_discs(const Rational& inner, const Rational& outer,
-                                           std::size_t most) {
+                                           unsigned long most) {
   OPLUS_REQUIRES(0 <= inner && inner < outer, "polygon_between_discs");
   const Rational step = short_step((outer - inner) / 10);
   const Ring ring{inner * inner / (step * step), floor_of(Rational(outer * outer / (step * step)))};
@@ -140,7 +141,7 @@ std::optional<Chain> polygon_between_discs(const Rational& inner, const Rational
 }
 
 Region disc_polygon(const Rational& radius, DiscSide side, const Rational& error) {
-  constexpr std::size_t most_vertices = 1000000;
+  constexpr unsigned long most_vertices = 1000000;
   require_positive("radius", radius);
   require_positive("error", error);
   std::optional<Chain> chain =

@@ -28,7 +28,7 @@ bool is_between_discs(const Chain& chain, const Rational& inner, const Rational&
 /// Nothing if that would be more than `most` vertices. Requires: 0 <= inner < outer.
 /// Cost: about twenty times the number of vertices.
 std::optional<Chain> polygon_between_discs(const Rational& inner, const Rational& outer,
-                                           std::size_t most);
+                                           unsigned long most);
 
 /// Returns a polygon for the disc of a radius about the origin: between that and the disc of a smaller radius,
 /// by `error`, or of a larger one. Throws InvalidInput unless both are positive and a million vertices are

@@ -20,7 +20,7 @@ Number step_of(int digits) {
   if (digits < 0 || digits > most_digits)
     throw std::invalid_argument("digits: " + std::to_string(digits) + "; expected 0 to " +
                                 std::to_string(most_digits));
-  return Rational(1) / Rational(power_of_ten(static_cast<unsigned long>(digits)));
+  return Rational(1) / Rational(power_of_ten(static_cast<std::size_t>(digits)));
 }
 
 std::string text(const ValidRegion& region, Format format, std::optional<int> digits) {

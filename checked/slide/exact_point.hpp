@@ -61,7 +61,7 @@ class Coordinate {
 
   double near(const Scaling& scaling) const {
     Rational moved;
-    mpq_div_2exp(moved.get_mpq_t(), value_.get_mpq_t(), scaling.shift);
+    mpq_div_2exp(moved.get_mpq_t(), value_.get_mpq_t(), static_cast<mp_bitcnt_t>(scaling.shift));
     return moved.get_d();
   }
 

@@ -6,8 +6,9 @@
 #include <exception>
 #include <mutex>
 #include <system_error>
-#include <thread>
 #include <vector>
+
+#include "checked/joined_thread.hpp"
 
 namespace oplus::slide {
 
@@ -25,7 +26,7 @@ void parallel_for(std::size_t n, unsigned threads, const std::function<void(std:
     }
   };
   {
-    std::vector<std::jthread> others;
+    std::vector<JoinedThread> others;
     try {
       others.reserve(std::min<std::size_t>(threads, n));
       while (others.size() + 1 < std::min<std::size_t>(threads, n)) others.emplace_back(run);

@@ -71,7 +71,8 @@ class FixedPoint {
 
 /// As many bits as leave 64 behind the first one of a number.
 unsigned long bits_for(const Rational& error) {
-  return 72 + mpz_sizeinbase(mpz_class(floor_of(1 / error) + 1).get_mpz_t(), 2);
+  const mpz_class parts = floor_of(1 / error) + 1;
+  return 72 + static_cast<unsigned long>(mpz_sizeinbase(parts.get_mpz_t(), 2));
 }
 
 /// By 2 arctan(t): the rational parametrization of the circle.

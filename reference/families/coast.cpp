@@ -107,7 +107,8 @@ class Coast {
 
   Chain chain() const {
     Chain chain;
-    for (const Place& v : vertices_) chain.push_back({Rational(v.x), Rational(v.y)});
+    for (const Place& v : vertices_)
+      chain.push_back({static_cast<long>(v.x), static_cast<long>(v.y)});
     return chain;
   }
 

@@ -43,7 +43,7 @@ Summands outlier_pair(Random& random, std::size_t n) {
 
 Summands scales_pair(Random& random, std::size_t n) {
   Region p = star_polygon(random, n);
-  const Rational factor = 1'000'000'000'000;
+  const Rational factor("1000000000000");
   Region q = mapped(star_polygon(random, std::min<std::size_t>(n, 20)),
                     [&](const Point& v) { return factor * v; });
   return {std::move(p), std::move(q)};

@@ -133,7 +133,7 @@ bool put_number(std::string_view text, Rational& value, NumberFault& fault) {
   digits += decimals;
   Rational decimal(integer(digits), power_of_ten(decimals.size()));
   decimal.canonicalize();
-  const Rational scale(power_of_ten(static_cast<unsigned long>(std::abs(exponent))));
+  const Rational scale(power_of_ten(static_cast<std::size_t>(std::abs(exponent))));
   if (exponent < 0)
     decimal /= scale;
   else

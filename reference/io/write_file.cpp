@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <fcntl.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
@@ -21,11 +20,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void fail(int error, const std::string& path) {
-  throw std::system_error(error, std::generic_category(), "cannot write " + path);
+[[noreturn]] void fail(int error, const fs::path& path) {
+  throw std::system_error(error, std::generic_category(), "cannot write " + path.string());
 }
 
-void write_all(int descriptor, std::string_view content, const std::string& path) {
+void write_all(int descriptor, std::string_view content, const fs::path& path) {
   while (!content.empty()) {
     const ssize_t written = ::write(descriptor, content.data(), content.size());
     if (written < 0 && errno != EINTR) fail(errno, path);
@@ -34,13 +33,14 @@ void write_all(int descriptor, std::string_view content, const std::string& path
 }
 
 /// Names of temporary files that are there. A command has few outputs; more than these are not noted.
-std::array<std::atomic<const char*>, 16> temporary_files;
-static_assert(std::atomic<const char*>::is_always_lock_free);
+using Name = const fs::path::value_type*;
+std::array<std::atomic<Name>, 16> temporary_files;
+static_assert(std::atomic<Name>::is_always_lock_free);
 
 /// Replaces one entry, if there is one.
-void replace(const char* entry, const char* by) {
-  for (std::atomic<const char*>& one : temporary_files) {
-    const char* expected = entry;
+void replace(Name entry, Name by) {
+  for (std::atomic<Name>& one : temporary_files) {
+    Name expected = entry;
     if (one.compare_exchange_strong(expected, by)) return;
   }
 }
@@ -83,12 +83,16 @@ class OutputFile::Target::Temporary : public Target {
   void write(std::string_view text) override { write_all(descriptor_, text, target_); }
 
   void finish() override {
-    struct stat old {};
-    if (::stat(target_.c_str(), &old) == 0 && ::fchmod(descriptor_, old.st_mode & 07777U) != 0)
-      fail(errno, target_);
+    std::error_code failed;
+    if (const fs::file_status old = fs::status(target_, failed); fs::exists(old))
+      fs::permissions(path_, old.permissions(), failed);
+    else
+      failed.clear();
     const int closed = ::close(descriptor_);
     descriptor_ = -1;
-    if (closed != 0 || ::rename(path_.c_str(), target_.c_str()) != 0) fail(errno, target_);
+    if (closed != 0) fail(errno, target_);
+    if (!failed) fs::rename(path_, target_, failed);
+    if (failed) fail(failed.default_error_condition().value(), target_);
     is_target_ = true;
   }
 
@@ -112,7 +116,7 @@ class OutputFile::Target::StandardOutput : public Target {
 /// A device or a pipe is written to, never replaced; nor is a file that is extended.
 class OutputFile::Target::InPlace : public Target {
  public:
-  explicit InPlace(const std::string& path)
+  explicit InPlace(const fs::path& path)
       : path_(path), descriptor_(::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC)) {
     if (descriptor_ < 0) fail(errno, path_);
   }
@@ -129,7 +133,7 @@ class OutputFile::Target::InPlace : public Target {
   }
 
  private:
-  std::string path_;
+  fs::path path_;
   int descriptor_;
 };
 
@@ -159,8 +163,8 @@ bool OutputFile::is_replaced(const std::string& path) {
 }
 
 void remove_temporary_files() noexcept {
-  for (const std::atomic<const char*>& one : temporary_files)
-    if (const char* const path = one) ::unlink(path);
+  for (const std::atomic<Name>& one : temporary_files)
+    if (const Name path = one) ::unlink(path);
 }
 
 void write_file(const std::string& path, const std::string& content) {

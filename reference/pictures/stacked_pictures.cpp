@@ -2,7 +2,8 @@
 #include "reference/pictures/stacked_pictures.hpp"
 
 #include <algorithm>
-#include <charconv>
+#include <locale>
+#include <sstream>
 #include <stdexcept>
 
 #include "reference/pictures/svg_elements.hpp"
@@ -20,10 +21,10 @@ double size(const std::string& svg, const std::string& name) {
   const std::string tag = svg.substr(0, svg.find('>'));
   const std::string assigned = " " + name + "=\"";
   const std::size_t at = tag.find(assigned);
+  std::istringstream digits(at == std::string::npos ? "" : tag.substr(at + assigned.size()));
+  digits.imbue(std::locale::classic());
   double value = 0;
-  if (!tag.starts_with(start) || at == std::string::npos ||
-      std::from_chars(tag.data() + at + assigned.size(), tag.data() + tag.size(), value).ec !=
-          std::errc())
+  if (!tag.starts_with(start) || !(digits >> value))
     throw std::invalid_argument("a picture without its " + name);
   return value;
 }

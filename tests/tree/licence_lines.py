@@ -10,6 +10,7 @@ from sources import ROOT, cpp, files, report
 MIT, GPL, MPL = "MIT", "GPL-3.0-or-later", "MPL-2.0"
 # The library oplus_core; of `checked`, what is not in a folder. All else is over CGAL, or may be.
 CORE = ("reference/definitions", "reference/arithmetic", "reference/chains", "reference/io",
+        "reference/io/windows", "reference/io/windows/sys",
         "reference/oracle", "reference/pictures", "checked", "checked/arithmetic",
         "checked/bindings/c", "checked/boxes", "checked/certificates", "checked/collision", "checked/cycles", "checked/distance", "checked/layouts",
         "checked/operations", "checked/oplus", "checked/oplus/internal",

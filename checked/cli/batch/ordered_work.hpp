@@ -10,9 +10,10 @@
 #include <mutex>
 #include <optional>
 #include <system_error>
-#include <thread>
 #include <utility>
 #include <vector>
+
+#include "checked/joined_thread.hpp"
 
 namespace oplus {
 
@@ -34,7 +35,7 @@ class OrderedWork {
   template <typename Watch>
   void run(unsigned threads, const Watch& watch) {
     window_ = lots_ahead * threads;
-    std::vector<std::jthread> workers;
+    std::vector<JoinedThread> workers;
     workers.reserve(threads);
     try {
       while (workers.size() < threads) {

@@ -12,7 +12,7 @@ namespace oplus {
 
 CommandOutput::CommandOutput(const std::string& path, OutputFile::Regular regular) : path_(path) {
   // Both would be on one terminal.
-  if (path == "-" && isatty(STDOUT_FILENO) == 1) ShownStep::hide_all();
+  if (path == "-" && isatty(STDOUT_FILENO) != 0) ShownStep::hide_all();
   attempt([&] { file_.emplace(path, regular); });
 }
 

@@ -6,11 +6,11 @@
 #include <condition_variable>
 #include <iostream>
 #include <mutex>
-#include <stop_token>
-#include <thread>
+#include <optional>
 #include <utility>
 
 #include "checked/cli/command_line/terminal.hpp"
+#include "checked/joined_thread.hpp"
 #include "reference/io/counted.hpp"
 
 namespace oplus {
@@ -28,7 +28,7 @@ std::string bar(const std::string& what, std::size_t done, std::size_t total,
 Progress::Progress(std::string what, std::size_t total)
     : what_(std::move(what)),
       total_(total),
-      on_terminal_(isatty(STDERR_FILENO) == 1),
+      on_terminal_(isatty(STDERR_FILENO) != 0),
       start_(std::chrono::steady_clock::now()) {}
 
 void Progress::advance() {
@@ -70,8 +70,12 @@ class ShownStep::Display {
   }
 
   Display() {
-    if (isatty(STDERR_FILENO) == 1 && !speech().quiet)
-      thread_ = std::jthread([this](const std::stop_token& stop) { show(stop); });
+    if (isatty(STDERR_FILENO) != 0 && !speech().quiet) thread_.emplace([this] { show(); });
+  }
+  ~Display() {
+    const std::lock_guard lock(mutex);
+    is_over_ = true;
+    over_.notify_all();
   }
 
   std::mutex mutex;
@@ -87,20 +91,21 @@ class ShownStep::Display {
                : bar(stage.what, stage.done, stage.total, taken);
   }
 
-  void show(const std::stop_token& stop) {
+  void show() {
     std::unique_lock lock(mutex);
-    const auto stopped_within = [&](std::chrono::milliseconds time) {
-      return stopped_.wait_for(lock, stop, time, [&] { return stop.stop_requested(); });
+    const auto over_within = [&](std::chrono::milliseconds time) {
+      return over_.wait_for(lock, time, [&] { return is_over_; });
     };
-    if (stopped_within(std::chrono::seconds(1))) return;
+    if (over_within(std::chrono::seconds(1))) return;
     do {
       if (!is_hidden && !stages.empty()) show_passing_line(line());
-    } while (!stopped_within(std::chrono::milliseconds(200)));
+    } while (!over_within(std::chrono::milliseconds(200)));
     erase_passing_line();
   }
 
-  std::condition_variable_any stopped_;
-  std::jthread thread_;  ///< the last: it is joined before the others are gone
+  std::condition_variable over_;
+  bool is_over_ = false;
+  std::optional<JoinedThread> thread_;  ///< the last: it is joined before the others are gone
 };
 
 ShownStep::ShownStep(std::string what) : display_(Display::of_the_program()) {

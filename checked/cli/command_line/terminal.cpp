@@ -14,8 +14,8 @@ namespace oplus {
 namespace {
 
 bool is_terminal(const std::ostream& where) {
-  if (&where == &std::cout) return isatty(STDOUT_FILENO) == 1;
-  if (&where == &std::cerr) return isatty(STDERR_FILENO) == 1;
+  if (&where == &std::cout) return isatty(STDOUT_FILENO) != 0;
+  if (&where == &std::cerr) return isatty(STDERR_FILENO) != 0;
   return false;
 }
 

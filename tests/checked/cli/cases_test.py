@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""cases_test.py OPLUS: the program does what tests/corpus/cases.json says."""
+"""cases_test.py OPLUS...: the program, which may be called by an emulator, does what tests/corpus/cases.json says."""
 
 import json
 import re
@@ -19,12 +19,12 @@ class Refused(Exception):
 
 
 class Program:
-    def __init__(self, program, folder):
-        self.program, self.folder, self.notes = program, folder, []
+    def __init__(self, command, folder):
+        self.command, self.folder, self.notes = command, folder, []
 
     def run(self, *words):
         """Returns what it prints; keeps what it says."""
-        ran = subprocess.run([self.program, *words], cwd=self.folder, capture_output=True, text=True, check=False)
+        ran = subprocess.run([*self.command, *words], cwd=self.folder, capture_output=True, text=True, check=False)
         # A file is named as in the cases, whatever it is called here.
         said = [re.sub(r"^[pqs](?=:)", "file", line.removeprefix("oplus: ").removesuffix("; add --union to take their union"))
                 for line in ran.stderr.splitlines()]
@@ -80,13 +80,13 @@ class Program:
         return {**found, "notes": notes} if "notes" in case else found
 
 
-def differences(program, folder, case, operation):
+def differences(command, folder, case, operation):
     for name in ("p", "q", "s"):
         if name in case:
             text = case[name] if isinstance(case[name], str) else json.dumps(case[name])
             (folder / name).write_text(text, encoding="utf-8", newline="")
     try:
-        found = Program(program, folder).found(case, operation)
+        found = Program(command, folder).found(case, operation)
     except Refused as refused:
         found = {"refused": str(refused)}
     expected = {name: case[name] for name in ("is", "complement is", "reasons", "mends", "notes", "refused", "answer") if name in case}
@@ -94,7 +94,8 @@ def differences(program, folder, case, operation):
 
 
 def main():
-    program = Path(sys.argv[1]).resolve()
+    *emulator, program = sys.argv[1:]
+    command = [*emulator, Path(program).resolve()]
     all_of_layer = [(case, operation) for case in CASES["cases"] for operation in case["run"]
                     if LAYER in case.get("layers", CASES["layers"][operation])]
     assert len(all_of_layer) > 500
@@ -106,7 +107,7 @@ def main():
     wrong = []
     with tempfile.TemporaryDirectory() as folder:
         for case, operation in all_of_layer:
-            wrong += differences(program, Path(folder), case, operation)
+            wrong += differences(command, Path(folder), case, operation)
     print("\n".join(wrong), f"{len(all_of_layer)} cases, {len(wrong)} wrong", sep="\n")
     sys.exit(bool(wrong))
 

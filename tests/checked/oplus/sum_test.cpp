@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include <thread>
 #include <type_traits>
 
+#include "checked/joined_thread.hpp"
 #include "checked/oplus/oplus.hpp"
 
 namespace oplus {
@@ -123,7 +123,7 @@ TEST(ValidSet, may_be_asked_by_many_threads) {
     std::vector<const Component*> seen(8);
     std::vector<std::size_t> holes(8);
     {
-      std::vector<std::jthread> threads;
+      std::vector<JoinedThread> threads;
       for (std::size_t i = 0; i < seen.size(); ++i)
         threads.emplace_back([&, i, copy = sum] {
           seen[i] = copy.components().data();

@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include <thread>
 #include <vector>
 
+#include "checked/joined_thread.hpp"
 #include "checked/slide/slide.hpp"
 #include "reference/families/family.hpp"
 #include "reference/io/boundary_name.hpp"
@@ -74,7 +74,7 @@ TEST(PreparedSummand, is_shared_by_threads) {
   std::vector<PreparedSummand> others;
   for (std::uint64_t seed = 0; seed < 16; ++seed)
     others.emplace_back(generate(*find_family("star"), 20, seed).q);
-  std::vector<std::jthread> threads;
+  std::vector<JoinedThread> threads;
   for (int t = 0; t < 4; ++t)
     threads.emplace_back([&] {
       for (const PreparedSummand& q : others)

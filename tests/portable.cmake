@@ -1,0 +1,15 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The tests of other compilers and systems (platforms/run), where a program may need an emulator.
+if(WIN32)
+  # By functions of glibc.
+  list(FILTER core_tests EXCLUDE REGEX "/parallel_for_test")
+endif()
+add_executable(oplus-core-tests ${core_tests} main.cpp)
+target_link_libraries(oplus-core-tests PRIVATE oplus_families oplus_strict nlohmann_json::nlohmann_json GTest::gtest)
+target_compile_options(oplus-core-tests PRIVATE -O0)
+add_test(NAME core COMMAND oplus-core-tests)
+set_tests_properties(core PROPERTIES SKIP_RETURN_CODE 77)
+add_test(NAME cases
+         COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_SOURCE_DIR}/checked/cli/cases_test.py
+                 ${CMAKE_CROSSCOMPILING_EMULATOR} $<TARGET_FILE:oplus>)
+include(c_interface.cmake)
