@@ -23,7 +23,8 @@ Proof.
   destruct (winding_number_near x _ closed free') as (r1 & R1 & near),
     (components_stay p q p_polygon q_polygon x free free') as (r2 & R2 & stay).
   destruct (some_small _ (eventually_and _ _ (general_position_beside [p] [q] x)
-    (eventually_and _ _ (shifted_stays_within r1 x R1) (shifted_stays_within r2 x R2)))) as (e & _ & general & one & two).
+    (eventually_and _ _ (shifted_stays_within r1 x R1) (shifted_stays_within r2 x R2))))
+    as (e & _ & general & one & two).
   destruct (theorem_4_2_14_in_general_position p q _ p_polygon q_polygon general) as (k & components & number).
   assert (same_ : forall y z, in_region z [p] /\ in_reflected y [q] z <-> in_common p q y z)
     by (intros y z; unfold in_common; now rewrite in_reflected_is).

@@ -31,14 +31,14 @@ Section Followed.
   Hypothesis joined : joined_when_near (4 * d) B.
   Hypothesis near_ : comes_near d A B.
 
-  Fixpoint reach (number : nat) : Q := match number with O => d | S k => 2 * reach k end.
+  Fixpoint doubled (number : nat) : Q := match number with O => d | S k => 2 * doubled k end.
 
-  Lemma some_reach (most : Q) : exists number, most < reach number.
+  Lemma some_reach (most : Q) : exists number, most < doubled number.
   Proof.
     exists (Z.to_nat (Qfloor (most / d) + 1)).
-    assert (grows : forall n, d <= reach n /\ inject_Z (Z.of_nat n) * d <= reach n).
-    { induction n as [| n [one more]]; [change (inject_Z (Z.of_nat 0)) with 0; cbn [reach]; lra |].
-      rewrite Nat2Z.inj_succ, <- Z.add_1_r, inject_Z_plus. change (inject_Z 1) with 1. cbn [reach]. lra. }
+    assert (grows : forall n, d <= doubled n /\ inject_Z (Z.of_nat n) * d <= doubled n).
+    { induction n as [| n [one more]]; [change (inject_Z (Z.of_nat 0)) with 0; cbn [doubled]; lra |].
+      rewrite Nat2Z.inj_succ, <- Z.add_1_r, inject_Z_plus. change (inject_Z 1) with 1. cbn [doubled]. lra. }
     apply Qlt_le_trans with (inject_Z (Qfloor (most / d) + 1) * d).
     - setoid_replace most with (most / d * d) at 1 by (field; lra).
       apply Qmult_lt_compat_r; [exact some | apply Qlt_floor].
@@ -50,7 +50,7 @@ Section Followed.
 
   (* Half of a step is followed, and the other half. *)
   Lemma a_step_is_followed (number : nat) : forall v w v' w', (forall z, lies_on z (Segment v w) -> A z) ->
-    within (reach number) v w -> B v' -> B w' -> within d v v' -> within d w w' -> connected_in B v' w'.
+    within (doubled number) v w -> B v' -> B w' -> within d v v' -> within d w w' -> connected_in B v' w'.
   Proof.
     induction number as [| number IH]; intros v w v' w' step far in_v in_w close_v close_w.
     - cbn in far. apply joined; trivial. unfold within in *. lra.
@@ -60,9 +60,10 @@ Section Followed.
           unfold m, moved_along, minus in *; cbn [source target vx vy] in *; (split; [lra |]); rewrite X, Y; split;
           ring. }
       destruct (near_ m (step m (parts m (or_introl (target_lies_on (Segment v m)))))) as (m' & in_m & close_m).
-      cbn [reach] in far. set (r := reach number) in *.
+      cbn [doubled] in far. set (r := doubled number) in *.
       apply (connected_on B v' m' w'); [apply (IH v m) | apply (IH m w)]; trivial;
-        first [intros z on; apply step, parts; tauto | unfold within, m, moved_along, minus in *; cbn [vx vy] in *; lra].
+        first [intros z on; apply step, parts; tauto |
+          unfold within, m, moved_along, minus in *; cbn [vx vy] in *; lra].
   Qed.
 
   Lemma a_path_is_followed (v w v' w' : vector) : connected_in A v w -> B v' -> B w' -> within d v v' ->

@@ -2,7 +2,7 @@
 (* Off 𝒞 and 𝒞′, the intersection of P and -Q + x has as many components as that of P and -Q + y, for all y close to x.
    Each point of the one is near one of the other: to the left of all edges there is inside both
    (contacts_that_overlap.v). And points of it that are near each other are joined in it: by a step; or by way of a
-   reflex vertex of one that is is_near (near_a_polygon.v), which is on no edge of the other, and so inside it. *)
+   reflex vertex of one that is near_segment (near_a_polygon.v), which is on no edge of the other, and so inside it. *)
 From Coq Require Import QArith Qminmax Lqa ZArith Lia Bool List.
 From Oplus Require Import convolution regions_and_sums small_numbers simple_chain replaced_segments reflected
   polygons_of_the_thesis connected_sets coordinates edges_of_polygons connected_beside_pieces points_of_the_intersection
@@ -36,8 +36,8 @@ Proof.
     forall g, within (3 * r) (minus x (vertex p i)) g -> off g (region_edges [q]) /\
       winding_number g (region_edges [q]) = winding_number (minus x (vertex p i)) (region_edges [q]))).
   { apply eventually_for_all. intros i I. apply in_seq in I. destruct I as [_ I].
-    destruct (Qlt_le_dec (cross (along (edge_at p (previous (length p) i))) (along (edge_at p i))) 0) as [reflex | not_];
-      [| exists 1; split; [lra | intros e _ _ reflex; unfold reflex_at in reflex; lra]].
+    destruct (Qlt_le_dec (cross (along (edge_at p (previous (length p) i))) (along (edge_at p i))) 0)
+      as [reflex | not_]; [| exists 1; split; [lra | intros e _ _ reflex; unfold reflex_at in reflex; lra]].
     destruct (straight_to_a_point p polygon (vertex p i)) as (r1 & R1 & straight).
     { right. exists (edge_at p i). split; [apply edge_at_in_region; [now left | exact I] |].
       rewrite edge_is by exact I. apply (source_lies_on (Segment _ _)). }
@@ -134,10 +134,12 @@ Section TwoPolygons.
       (eventually_positive (t * (n * n)) (- (2 * most)) (Qmult_lt_0_compat _ _ t_some (Qmult_lt_0_compat _ _ N N))))).
     intros e [[e_some e_few] slow] y y' close close' z [in_p in_q]. destruct (directions z) as (u & one & left_).
     assert (push : forall s, In s l -> forall v, lies_on v s -> within r v z -> n * n <= cross (along s) u).
-    { intros s S v on close_v. apply (left_ s S). apply (nearer (r * size (along s))); [| now apply (close_is_near s z v)].
+    { intros s S v on close_v. apply (left_ s S).
+      apply (nearer (r * size (along s))); [| now apply (close_is_near s z v)].
       specialize (sizes s ltac:(apply in_app_iff; now left)). nra. }
     set (z' := moved_along z u t). exists z'.
-    assert (tu : - t < t * vx u < t /\ - t < t * vy u < t) by (unfold at_most_one, within, nowhere in one; cbn [vx vy] in one; split; nra).
+    assert (tu : - t < t * vx u < t /\ - t < t * vy u < t)
+      by (unfold at_most_one, within, nowhere in one; cbn [vx vy] in one; split; nra).
     split; [split |].
     - apply (going_left_stays p p_polygon z z' in_p). intros k s range S on.
       assert (value : cross (along s) (minus z' z) == t * cross (along s) u) by (unfold z'; by_computing).
@@ -151,7 +153,7 @@ Section TwoPolygons.
       assert (pushed : n * n <= cross (along (reflected x f)) u).
       { apply (push (reflected x f) ltac:(apply in_app_iff; right; now apply in_map)
           (minus x (moved_along (minus y z) d k))).
-        - apply on_reflected. apply (lies_on_equal (moved_along (minus y z) d k)); [symmetry; apply back_again | exact on].
+        - apply on_reflected, (lies_on_equal (moved_along (minus y z) d k)); [symmetry; apply back_again | exact on].
         - assert (d_few : - (2 * e + t) < vx d < 2 * e + t /\ - (2 * e + t) < vy d < 2 * e + t)
             by (destruct d_is as [dx dy]; rewrite dx, dy; unfold within in *; lra).
           destruct d_few as [dx dy]. clearbody d z'. unfold within, moved_along, minus in *. cbn [vx vy] in *.

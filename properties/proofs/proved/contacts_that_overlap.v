@@ -96,9 +96,17 @@ Qed.
 Lemma edge_as_direction (c : list vector) (i : nat) : (i < length c)%nat -> along (edge_at c i) = edge_of_chain c i.
 Proof. intros I. symmetry. now apply direction_by_index. Qed.
 
-Lemma corner_of_edges (c : list vector) (i : nat) : (i < length c)%nat ->
+Lemma corner_by_edges (c : list vector) (i : nat) : (i < length c)%nat ->
   corner_of_chain c i = Corner (along (edge_at c (previous (length c) i))) (along (edge_at c i)).
 Proof. intros I. rewrite corner_is, !edge_as_direction by (trivial; now apply previous_below). reflexivity. Qed.
+
+Lemma reflex_corner (c : list vector) (i : nat) : (i < length c)%nat -> reflex_at c i ->
+  is_reflex (corner_of_chain c i) = true.
+Proof.
+  intros I reflex. rewrite corner_by_edges by exact I. unfold is_reflex, reflex_at in *. cbn [incoming outgoing].
+  destruct (negative_spec (cross (along (edge_at c (previous (length c) i))) (along (edge_at c i)))); [reflexivity |].
+  contradiction.
+Qed.
 
 Section TwoPolygons.
   Variables p q : list vector.
@@ -136,9 +144,7 @@ Section TwoPolygons.
   Proof.
     intros I reflex f F on. destruct (edges_of_one q f F) as (j & J & -> & _).
     apply (no_flip_there OfQ i j I J).
-    - cbn. rewrite corner_of_edges by exact I. unfold is_reflex. cbn [incoming outgoing].
-      destruct (negative_spec (cross (along (edge_at p (previous (length p) i))) (along (edge_at p i)))); [reflexivity |].
-      contradiction.
+    - cbn. now apply reflex_corner.
     - destruct (on_by_index q j _ J on) as (t & range & X & Y). exists t. split; [exact range |].
       unfold equal_vectors, plus, minus in *. cbn [vx vy] in *. split; lra.
   Qed.
@@ -148,9 +154,7 @@ Section TwoPolygons.
   Proof.
     intros J reflex e E on. destruct (edges_of_one p e E) as (i & I & -> & _).
     apply (no_flip_there OfP i j I J).
-    - cbn. rewrite corner_of_edges by exact J. unfold is_reflex. cbn [incoming outgoing].
-      destruct (negative_spec (cross (along (edge_at q (previous (length q) j))) (along (edge_at q j)))); [reflexivity |].
-      contradiction.
+    - cbn. now apply reflex_corner.
     - destruct (on_by_index p i _ I on) as (t & range & X & Y). exists t. split; [exact range |].
       unfold equal_vectors, plus, minus in *. cbn [vx vy] in *. split; lra.
   Qed.
@@ -207,20 +211,21 @@ Section TwoPolygons.
         assert (in_e : In e (region_edges [p]) /\ lies_on z e) by (destruct E as [-> | ->]; now split).
         assert (in_h : In h (region_edges [q]) /\ lies_on (minus x z) h) by (destruct H as [-> | ->]; now split).
         destruct in_e as [E' on_e], in_h as [H' on_h]. split; [| split].
-        - intros same_. destruct (common_direction_is_a_tie [p] [q] x z (minus x z) p_region q_region sum_ e h E' H' on_e
-            on_h same_) as (a & b & A & B & tie).
+        - intros same_.
+          destruct (common_direction_is_a_tie [p] [q] x z (minus x z) p_region q_region sum_ e h E' H' on_e on_h same_)
+            as (a & b & A & B & tie).
           apply (not_covered (along e)), (tie_is_covered [p] [q] x p_region q_region a b); trivial.
           exact (polygon_edges_are_long p p_polygon e E').
         - intros [after before]. destruct corner_ as [[<- _] | (i & I & at_z & -> & -> & _)];
             [exact (itself _ _ (conj after before)) |].
           apply (not_covered (along h)). apply (tangent_of_q_is_covered [p] [q] x z (minus x z) sum_ h p i); trivial;
             [now left |].
-          rewrite corner_of_edges by exact I. now apply tangent_between.
+          rewrite corner_by_edges by exact I. now apply tangent_between.
         - intros [after before]. destruct corner_' as [[<- _] | (j & J & at_z & -> & -> & _)];
             [exact (itself _ _ (conj after before)) |].
           apply (not_covered (along e)). apply (tangent_of_p_is_covered [p] [q] x z (minus x z) sum_ e q j); trivial;
             [now left |].
-          rewrite corner_of_edges by exact J. now apply tangent_between. }
+          rewrite corner_by_edges by exact J. now apply tangent_between. }
       intros a b A B.
       assert (exists e, (e = s \/ e = t) /\ a = along e) as (e & E & ->)
         by (destruct A as [-> | ->]; [exists s | exists t]; tauto).

@@ -4,8 +4,8 @@
    step, if no reflex vertex is near; and points near a vertex can be joined with it. *)
 From Coq Require Import QArith Qminmax Lqa ZArith Lia Bool List.
 From Oplus Require Import convolution regions_and_sums small_numbers simple_chain boundary_points inside_a_corner
-  edges_at_a_point fans_that_touch polygons_of_the_thesis coordinates filling edges_of_polygons points_of_the_intersection
-  first_on_the_way near_segments.
+  edges_at_a_point fans_that_touch polygons_of_the_thesis coordinates filling edges_of_polygons
+  points_of_the_intersection first_on_the_way near_segments.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -88,7 +88,8 @@ Section OnePolygon.
       + destruct (some_square z [c]) as (radius & R & near_). exists radius. split; [exact R |]. intros y close left_.
         assert (free : forall w, within radius z w -> 0 < cross (along s) (minus w z) ->
           0 < cross (along t) (minus w z) -> off w boundary).
-        { intros w close_w left_s left_t f F on_w. destruct (near_ f) as [on_f | away]; [| | exact (away w close_w on_w)].
+        { intros w close_w left_s left_t f F on_w.
+          destruct (near_ f) as [on_f | away]; [| | exact (away w close_w on_w)].
           - apply in_flat_map. exists f. split; [exact F | now left].
           - pose proof (area_from z w f on_f). pose proof (on_the_line w f on_w).
             destruct (only f F on_f) as [-> | ->]; lra. }
@@ -165,8 +166,8 @@ Section OnePolygon.
     apply out. left. fold boundary. rewrite <- (proj2 (same_ _ close')). apply fills.
     - apply (within_twice ((1 # 2) * radius) ((1 # 2) * radius) radius z y); trivial. lra.
     - intros e E on_e. pose proof (left_ e E on_e). pose proof (strictly e E on_e).
-      setoid_replace (cross (along e) (minus (moved_along y u k) z)) with (j * cross (along e) d + k * cross (along e) u)
-        by (unfold y; by_coordinates).
+      setoid_replace (cross (along e) (minus (moved_along y u k) z))
+        with (j * cross (along e) d + k * cross (along e) u) by (unfold y; by_coordinates).
       assert (0 < k * cross (along e) u) by now apply Qmult_lt_0_compat.
       assert (0 <= j * cross (along e) d) by (apply Qmult_le_0_compat; lra). lra.
   Qed.
@@ -174,7 +175,7 @@ Section OnePolygon.
   (* Theorem. Who goes out passes an edge to its right. *)
   Theorem leaving_to_the_right (z m : vector) : in_region z [c] -> ~ in_region m [c] ->
     exists k e, 0 <= k < 1 /\ In e boundary /\ lies_on (moved_along z (minus m z) k) e /\
-      cross (along e) (minus m z) < 0.
+      cross (along e) (minus m z) < 0 /\ forall j, k < j <= 1 -> ~ in_region (moved_along z (minus m z) j) [c].
   Proof.
     intros in_ out. set (u := minus z m).
     assert (free : off m boundary) by (intros e E on; apply out; right; now exists e).
@@ -184,11 +185,7 @@ Section OnePolygon.
     assert (out_there : forall j, 0 <= j -> (forall i, 0 <= i -> i <= j -> off (moved_along m u i) boundary) ->
       ~ in_region (moved_along m u j) [c]).
     { intros j low free_ [some | (e & E & on)]; [| exact (free_ j low ltac:(lra) e E on)].
-      pose proof (winding_number_along (Segment m (moved_along m u j)) boundary (region_cycles _)) as same_.
-      cbn [source target] in same_. unfold boundary in *. rewrite <- same_ in some; [lia |].
-      intros w (h & range & X & Y). cbn [source target] in X, Y.
-      apply (off_equal (moved_along m u (h * j))); [| apply free_; nra].
-      unfold moved_along in *. cbn [vx vy] in *. split; cbn [vx vy]; [rewrite X | rewrite Y]; ring. }
+      rewrite (number_on_the_way m u _ j (region_cycles _) low free_) in some. fold boundary in some. lia. }
     destruct (first_on_the_way m u boundary) as [all | (k & t & T & [range on] & before)].
     - destruct (out_there 1 ltac:(lra) (fun i low high => all i (conj low high))).
       apply (in_region_of_equal [c] z); [| exact in_]. unfold equal_vectors, moved_along, u, minus. cbn [vx vy].
@@ -201,9 +198,12 @@ Section OnePolygon.
       + intros j some less in_j. apply (out_there (k - j)); [lra | intros i low high; apply before; lra |].
         apply (in_region_of_equal [c] (moved_along (moved_along m u k) (minus m z) j)); [| exact in_j].
         unfold equal_vectors, moved_along, u, minus. cbn [vx vy]. split; ring.
-      + exists (1 - k), e. split; [lra |]. split; [exact E |]. split; [| exact right_].
-        apply (lies_on_equal (moved_along m u k)); [| exact on_e].
-        unfold equal_vectors, moved_along, u, minus. cbn [vx vy]. split; ring.
+      + exists (1 - k), e. split; [lra |]. split; [exact E |]. split; [| split; [exact right_ |]].
+        * apply (lies_on_equal (moved_along m u k)); [| exact on_e].
+          unfold equal_vectors, moved_along, u, minus. cbn [vx vy]. split; ring.
+        * intros j far in_j. apply (out_there (1 - j)); [lra | intros i low high; apply before; lra |].
+          apply (in_region_of_equal [c] (moved_along z (minus m z) j)); [| exact in_j].
+          unfold equal_vectors, moved_along, u, minus. cbn [vx vy]. split; ring.
   Qed.
 
   (* So nobody does who goes to the left of all edges on the way, or along them. *)
@@ -212,7 +212,7 @@ Section OnePolygon.
       0 <= cross (along e) (minus m z)) -> in_region m [c].
   Proof.
     intros in_ left_. destruct (in_region_dec m [c]) as [| out]; [assumption | exfalso].
-    destruct (leaving_to_the_right z m in_ out) as (k & e & range & E & on & right_).
+    destruct (leaving_to_the_right z m in_ out) as (k & e & range & E & on & right_ & _).
     specialize (left_ k e ltac:(lra) E on). lra.
   Qed.
 
@@ -223,7 +223,7 @@ Section OnePolygon.
     intros in_v. destruct (some_square v [c]) as (radius & R & near_). exists radius. split; [exact R |].
     intros w m close in_w (g & range & X & Y). cbn [source target] in X, Y.
     destruct (in_region_dec m [c]) as [| out]; [assumption | exfalso].
-    destruct (leaving_to_the_right w m in_w out) as (h & e & range' & E & on & right_).
+    destruct (leaving_to_the_right w m in_w out) as (h & e & range' & E & on & right_ & _).
     set (p := moved_along w (minus m w) h) in *.
     assert (p_is : vx p == (1 - g * h) * vx w + g * h * vx v /\ vy p == (1 - g * h) * vy w + g * h * vy v)
       by (unfold p, moved_along, minus; cbn [vx vy]; rewrite X, Y; split; ring).
@@ -245,18 +245,18 @@ Section OnePolygon.
 
   (* Who is near two edges is near a reflex vertex, or the first is to the left of the second. *)
   Lemma near_two_edges (e f : segment) (radius : Q) : In e boundary -> In f boundary -> 0 < radius ->
-    eventually (fun d => forall z, is_near d z e -> is_near d z f ->
+    eventually (fun d => forall z, near_segment d z e -> near_segment d z f ->
       (exists i, (i < n)%nat /\ reflex_at i /\ within radius (vertex c i) z) \/ forall w, lies_on w e -> 0 <= area f w).
   Proof.
     intros E F R. pose proof (polygon_edges_are_long c polygon) as long.
-    destruct (common_point_or_none_near [e; f] []) as [(v & on & _) | none].
+    destruct (common_point_or_none_near [e; f]) as [(v & on) | none].
     { intros s [<- | [<- | []]]; now apply long. }
-    2:{ refine (eventually_implied _ _ _ none). intros d far z near_e near_f. destruct (far z); [| intros k []].
+    2:{ refine (eventually_implied _ _ _ none). intros d far z near_e near_f. destruct (far z).
         intros s [<- | [<- | []]]; assumption. }
     assert (on_e : lies_on v e) by (apply on; now left). assert (on_f : lies_on v f) by (apply on; right; now left).
     destruct (edges_there v (ex_intro _ e (conj E on_e))) as (s & t & S & T & _ & _ & only & _ & corner_).
-    assert (easy : (forall w, lies_on w e -> 0 <= area f w) -> eventually (fun d => forall z, is_near d z e ->
-      is_near d z f -> (exists i, (i < n)%nat /\ reflex_at i /\ within radius (vertex c i) z) \/
+    assert (easy : (forall w, lies_on w e -> 0 <= area f w) -> eventually (fun d => forall z, near_segment d z e ->
+      near_segment d z f -> (exists i, (i < n)%nat /\ reflex_at i /\ within radius (vertex c i) z) \/
       forall w, lies_on w e -> 0 <= area f w)) by (intros left_; exists 1; split; [lra | intros; now right]).
     destruct (segment_dec e f) as [<- | differ];
       [apply easy; intros w on_w; rewrite (on_the_line w e on_w); lra |].
@@ -264,16 +264,29 @@ Section OnePolygon.
     destruct corner_ as [[<- _] | (i & I & _ & s_is & t_is & (_ & _ & [X Y] & _))];
       [destruct differ; destruct e_is, f_is; congruence |].
     destruct (Qlt_le_dec (cross (along s) (along t)) 0) as [reflex | not_reflex].
-    - refine (eventually_implied _ _ _ (near_the_common_point s t (vertex c i) radius (long s S) (long t T) R _)).
-      + intros d close z near_e near_f. left. exists i. split; [exact I |].
-        split; [unfold reflex_at; now rewrite <- s_is, <- t_is |].
-        apply close; destruct e_is as [-> | ->], f_is as [-> | ->]; trivial; now destruct differ.
-      + intros z on_s (l & _ & zx & zy). pose proof (on_the_line z s on_s) as line.
-        assert (flat : l * cross (along s) (along t) == 0).
-        { rewrite <- line. unfold area, cross, along, minus. cbn [vx vy]. rewrite zx, zy, <- X, <- Y. ring. }
-        assert (l_is : l == 0) by (apply (Qmult_inj_r _ _ (cross (along s) (along t))); lra).
-        assert (v_is : source t = vertex c i) by (rewrite t_is, edge_is by exact I; reflexivity).
-        rewrite <- v_is. rewrite l_is in zx, zy. split; lra.
+    - set (turn := - cross (along s) (along t)). assert (some : 0 < turn) by (unfold turn; lra).
+      refine (eventually_implied _ _ _ (eventually_and _ _ (eventually_below 1 ltac:(lra)) (eventually_positive
+        (radius * turn) (- (2 * (size (along s) + size (along t)))) (Qmult_lt_0_compat _ _ R some)))).
+      intros d [[d_some _] few] z near_e near_f. left. exists i. split; [exact I |].
+      split; [unfold reflex_at; now rewrite <- s_is, <- t_is |].
+      assert (both : - (2 * d) < area s z < 2 * d /\ - (2 * d) < area t z < 2 * d).
+      { unfold near_segment in near_e, near_f.
+        destruct e_is as [-> | ->], f_is as [-> | ->]; try (now destruct differ); lra. }
+      destruct both as [near_s near_t].
+      assert (v_is : vertex c i = source t) by (rewrite t_is, edge_is by exact I; reflexivity).
+      assert (value : turn * (vx z - vx (source t)) == area t z * vx (along s) - area s z * vx (along t) /\
+        turn * (vy z - vy (source t)) == area t z * vy (along s) - area s z * vy (along t))
+        by (unfold turn, area, cross, along, minus; cbn [vx vy]; rewrite <- X, <- Y; split; ring).
+      pose proof (product_bounds _ (vx (along t)) _ near_s). pose proof (product_bounds _ (vy (along t)) _ near_s).
+      pose proof (product_bounds _ (vx (along s)) _ near_t). pose proof (product_bounds _ (vy (along s)) _ near_t).
+      assert (low : forall h, 0 <= 2 * d * Qabs.Qabs h)
+        by (intros h; apply Qmult_le_0_compat; [lra | apply abs_bounds]).
+      pose proof (low (vx (along s))). pose proof (low (vy (along s))).
+      pose proof (low (vx (along t))). pose proof (low (vy (along t))).
+      unfold within, size in *. rewrite v_is. destruct value as [value_x value_y].
+      assert (most : forall h, turn * - radius < turn * h -> turn * h < turn * radius -> - radius < h < radius)
+        by (intros h low_ high; split; now apply (Qmult_lt_l _ _ turn some)).
+      split; apply most; rewrite ?value_x, ?value_y; lra.
     - apply easy. intros w (k & range & wx & wy).
       destruct e_is as [-> | ->], f_is as [-> | ->]; try now destruct differ.
       + assert (value : area t w == (1 - k) * cross (along s) (along t))
@@ -287,7 +300,8 @@ Section OnePolygon.
   Lemma sizes_are_bounded (l : list segment) : exists most, 0 < most /\ forall s, In s l -> size (along s) <= most.
   Proof.
     clear. induction l as [| s l (most & some & all)]; [exists 1; split; [lra | intros s []] |].
-    exists (Qmax most (size (along s))). pose proof (Q.le_max_l most (size (along s))). pose proof (Q.le_max_r most (size (along s))).
+    exists (Qmax most (size (along s))).
+    pose proof (Q.le_max_l most (size (along s))). pose proof (Q.le_max_r most (size (along s))).
     split; [lra |]. intros t [<- | T]; [assumption |]. specialize (all t T). lra.
   Qed.
 
@@ -298,7 +312,7 @@ Section OnePolygon.
       forall m, lies_on m (Segment v w) -> in_region m [c]).
   Proof.
     intros R.
-    destruct (eventually_for_all (fun ef d => forall z, is_near d z (fst ef) -> is_near d z (snd ef) ->
+    destruct (eventually_for_all (fun ef d => forall z, near_segment d z (fst ef) -> near_segment d z (snd ef) ->
       (exists i, (i < n)%nat /\ reflex_at i /\ within radius (vertex c i) z) \/
       forall w, lies_on w (fst ef) -> 0 <= area (snd ef) w) (list_prod boundary boundary)) as (bound & B & all).
     { intros [e f] P. apply in_prod_iff in P. apply near_two_edges; tauto. }
@@ -316,13 +330,13 @@ Section OnePolygon.
     intros m (g & range & X & Y). cbn [source target] in X, Y.
     destruct (in_region_dec m [c]) as [| out]; [assumption | exfalso].
     destruct (leaving_to_the_right v m in_v out) as (k & e & k_range & E & on_e & _).
-    destruct (leaving_to_the_right w m in_w out) as (l & f & l_range & F & on_f & right_f).
+    destruct (leaving_to_the_right w m in_w out) as (l & f & l_range & F & on_f & right_f & _).
     set (p := moved_along v (minus m v) k) in *. set (o := moved_along w (minus m w) l) in *.
     assert (ahead : 0 < 1 - l * (1 - g) - k * g).
     { setoid_replace (1 - l * (1 - g) - k * g) with ((1 - g) * (1 - l) + g * (1 - k)) by ring.
       apply mixed_is_more; lra. }
     assert (near_it_ : forall s h, 0 <= h <= 1 -> In s boundary -> lies_on (moved_along v (minus w v) h) s ->
-      is_near (d * most) v s).
+      near_segment (d * most) v s).
     { intros s h h_range S on. apply (nearer (d * size (along s))); [specialize (sizes s S); nra |].
       apply (close_is_near s v (moved_along v (minus w v) h)); [exact on |].
       unfold within, moved_along, minus in *. cbn [vx vy]. nra. }

@@ -15,7 +15,7 @@ Record condition := Condition { of_x : Q; of_y : Q; limit : Q; slack : Q }.
 Definition holds (e x y : Q) (c : condition) : Prop := of_x c * x + of_y c * y <= limit c + slack c * e.
 Definition all_hold (e x y : Q) (l : list condition) : Prop := forall c, In c l -> holds e x y c.
 
-Definition combination (pair_ : condition * condition) : condition :=
+Definition both_conditions (pair_ : condition * condition) : condition :=
   let (c, d) := pair_ in
   Condition (of_y d * of_x c - of_y c * of_x d) 0 (of_y d * limit c - of_y c * limit d)
     (of_y d * slack c - of_y c * slack d).
@@ -25,7 +25,7 @@ Definition from_above (c : condition) : bool := positive (of_y c).
 (* What they ask of x. *)
 Definition eliminated (l : list condition) : list condition :=
   filter (fun c => negb (from_below c || from_above c)) l ++
-  map combination (list_prod (filter from_below l) (filter from_above l)).
+  map both_conditions (list_prod (filter from_below l) (filter from_above l)).
 
 Lemma a_number_between (lows highs : list Q) : (forall l h, In l lows -> In h highs -> l <= h) ->
   exists y, (forall l, In l lows -> l <= y) /\ (forall h, In h highs -> y <= h).
@@ -49,13 +49,13 @@ Proof.
     destruct (a_number_between (map bound (filter from_below l)) (map bound (filter from_above l))) as (y & lows &
       highs).
     { intros low high L H. apply in_map_iff in L, H. destruct L as (c & <- & C), H as (d & <- & D).
-      assert (both : holds e x 0 (combination (c, d)))
+      assert (both : holds e x 0 (both_conditions (c, d)))
         by (apply all, in_app_iff; right; apply in_map, in_prod; assumption).
       apply filter_In in C, D. destruct C as [_ C], D as [_ D]. unfold from_below, from_above in C, D.
       destruct (negative_spec (of_y c)) as [c_low |]; [| discriminate].
       destruct (positive_spec (of_y d)) as [d_high |]; [| discriminate].
       pose proof (value c ltac:(lra)) as c_is. pose proof (value d ltac:(lra)) as d_is.
-      unfold holds, combination in both. cbn [of_x of_y limit slack] in both. apply Qnot_lt_le. intros less.
+      unfold holds, both_conditions in both. cbn [of_x of_y limit slack] in both. apply Qnot_lt_le. intros less.
       assert (of_y d * (bound c * of_y c) - of_y c * (bound d * of_y d) >= 0) by (rewrite c_is, d_is; lra).
       assert (0 < (bound c - bound d) * (of_y d * - of_y c)) by (repeat apply Qmult_lt_0_compat; lra). lra. }
     exists y. intros c C. unfold holds. destruct (from_below c) eqn:low; [| destruct (from_above c) eqn:high].
@@ -76,7 +76,7 @@ Proof.
     + apply in_map_iff in C. destruct C as ([d f] & <- & D). apply in_prod_iff in D. destruct D as [D F].
       apply filter_In in D, F. destruct D as [D low], F as [F high]. unfold from_below, from_above in low, high.
       destruct (negative_spec (of_y d)); [| discriminate]. destruct (positive_spec (of_y f)); [| discriminate].
-      pose proof (all d D) as d_holds. pose proof (all f F) as f_holds. unfold holds, combination in *.
+      pose proof (all d D) as d_holds. pose proof (all f F) as f_holds. unfold holds, both_conditions in *.
       cbn [of_x of_y limit slack]. nra.
 Qed.
 
@@ -110,7 +110,7 @@ Proof.
 Qed.
 
 (* Near a segment. *)
-Definition is_near (e : Q) (z : vector) (s : segment) : Prop :=
+Definition near_segment (e : Q) (z : vector) (s : segment) : Prop :=
   (- e <= area s z /\ area s z <= e) /\ - e <= dot (along s) (minus z (source s)) /\
   dot (along s) (minus z (target s)) <= e.
 
@@ -118,18 +118,19 @@ Definition near_it (s : segment) : list condition :=
   let a := along s in let v := source s in let w := target s in
   let base := vy a * vx v - vx a * vy v in
   [Condition (vy a) (- vx a) base 1; Condition (- vy a) (vx a) (- base) 1;
-   Condition (- vx a) (- vy a) (- (vx a * vx v + vy a * vy v)) 1; Condition (vx a) (vy a) (vx a * vx w + vy a * vy w) 1].
+   Condition (- vx a) (- vy a) (- (vx a * vx v + vy a * vy v)) 1;
+   Condition (vx a) (vy a) (vx a * vx w + vy a * vy w) 1].
 
-Lemma near_is (e x y : Q) (s : segment) : all_hold e x y (near_it s) <-> is_near e (Vector x y) s.
+Lemma near_is (e x y : Q) (s : segment) : all_hold e x y (near_it s) <-> near_segment e (Vector x y) s.
 Proof.
-  unfold all_hold, near_it, holds, is_near. to_coordinates. split.
+  unfold all_hold, near_it, holds, near_segment. to_coordinates. split.
   - intros all. pose proof (all _ (or_introl eq_refl)). pose proof (all _ (or_intror (or_introl eq_refl))).
     pose proof (all _ (or_intror (or_intror (or_introl eq_refl)))).
     pose proof (all _ (or_intror (or_intror (or_intror (or_introl eq_refl))))). cbn in *. lra.
   - intros near_ c [<- | [<- | [<- | [<- | []]]]]; cbn [of_x of_y limit slack]; lra.
 Qed.
 
-Lemma near_is_on (z : vector) (s : segment) : nonzero (along s) -> is_near 0 z s -> lies_on z s.
+Lemma near_is_on (z : vector) (s : segment) : nonzero (along s) -> near_segment 0 z s -> lies_on z s.
 Proof.
   intros long [on between_]. pose proof (square_positive _ long) as square. set (a := along s) in *.
   exists (dot a (minus z (source s)) / dot a a).
@@ -144,58 +145,28 @@ Proof.
   destruct X as [X Y]. rewrite X, Y. unfold a, along, minus. cbn [vx vy]. split; ring.
 Qed.
 
-Lemma nearer (d e : Q) (z : vector) (s : segment) : d <= e -> is_near d z s -> is_near e z s.
-Proof. unfold is_near. lra. Qed.
+Lemma nearer (d e : Q) (z : vector) (s : segment) : d <= e -> near_segment d z s -> near_segment e z s.
+Proof. unfold near_segment. lra. Qed.
 
-Lemma near_dec (e : Q) (z : vector) (s : segment) : {is_near e z s} + {~ is_near e z s}.
+Lemma near_dec (e : Q) (z : vector) (s : segment) : {near_segment e z s} + {~ near_segment e z s}.
 Proof.
-  unfold is_near. destruct (Qlt_le_dec (area s z) (- e)); [right; lra |]. destruct (Qlt_le_dec e (area s z)); [right; lra |].
+  unfold near_segment.
+  destruct (Qlt_le_dec (area s z) (- e)); [right; lra |]. destruct (Qlt_le_dec e (area s z)); [right; lra |].
   destruct (Qlt_le_dec (dot (along s) (minus z (source s))) (- e)); [right; lra |].
   destruct (Qlt_le_dec e (dot (along s) (minus z (target s)))); [right; lra | left; lra].
 Qed.
 
-Definition all_near (e : Q) (z : vector) (l : list segment) : Prop := forall s, In s l -> is_near e z s.
+Definition all_near (e : Q) (z : vector) (l : list segment) : Prop := forall s, In s l -> near_segment e z s.
 
-(* Segments have a common point that meets conditions, or there is none near all of them that nearly does. *)
-Lemma common_point_or_none_near (l : list segment) (conditions : list condition) :
-  (forall s, In s l -> nonzero (along s)) ->
-  (exists z, (forall s, In s l -> lies_on z s) /\ all_hold 0 (vx z) (vy z) conditions) \/
-  eventually (fun e => forall z, all_near e z l -> ~ all_hold e (vx z) (vy z) conditions).
+(* Segments have a common point, or nothing is near all of them. *)
+Lemma common_point_or_none_near (l : list segment) : (forall s, In s l -> nonzero (along s)) ->
+  (exists z, forall s, In s l -> lies_on z s) \/ eventually (fun e => forall z, ~ all_near e z l).
 Proof.
-  intros long. destruct (met_or_not_nearly (flat_map near_it l ++ conditions)) as [(x & y & all) | none];
-    [left | right].
-  - exists (Vector x y). split.
-    + intros s S. apply near_is_on; [now apply long |]. apply near_is. intros c C. apply all, in_app_iff. left.
-      apply in_flat_map. now exists s.
-    + intros c C. apply all, in_app_iff. now right.
-  - refine (eventually_implied _ _ _ none). intros e far [x y] close meets. apply (far x y). intros c C.
-    apply in_app_iff in C. destruct C as [C | C]; [| now apply meets]. apply in_flat_map in C.
-    destruct C as (s & S & C). exact (proj2 (near_is e x y s) (close s S) c C).
-Qed.
-
-(* What is near two segments that have no more than one point in common is near that. *)
-Lemma near_the_common_point (s t : segment) (v : vector) (radius : Q) : nonzero (along s) -> nonzero (along t) ->
-  0 < radius -> (forall z, lies_on z s -> lies_on z t -> equal_vectors z v) ->
-  eventually (fun e => forall z, is_near e z s -> is_near e z t -> within radius v z).
-Proof.
-  intros long_s long_t R only.
-  set (sides := [Condition (-1) 0 (- (vx v + radius)) 0; Condition 1 0 (vx v - radius) 0;
-                 Condition 0 (-1) (- (vy v + radius)) 0; Condition 0 1 (vy v - radius) 0]).
-  assert (each : forall c, In c sides -> eventually (fun e => forall z, all_near e z [s; t] ->
-    ~ all_hold e (vx z) (vy z) [c])).
-  { intros c C. destruct (common_point_or_none_near [s; t] [c]) as [(z & on & all) | none]; [| exfalso | exact none].
-    - intros f [<- | [<- | []]]; assumption.
-    - destruct (only z) as [X Y]; [apply on; now left | apply on; right; now left |].
-      specialize (all c (or_introl eq_refl)). unfold holds in all.
-      destruct C as [<- | [<- | [<- | [<- | []]]]]; cbn in all; rewrite ?X, ?Y in all; lra. }
-  refine (eventually_implied _ _ _ (eventually_for_all _ sides each)). intros e none z near_s near_t.
-  assert (both : all_near e z [s; t]) by (intros f [<- | [<- | []]]; assumption).
-  assert (beyond : forall c, In c sides -> limit c + slack c * e < of_x c * vx z + of_y c * vy z).
-  { intros c C. apply Qnot_le_lt. intros here. apply (none c C z both). intros d [<- | []]. exact here. }
-  pose proof (beyond _ (or_introl eq_refl)). pose proof (beyond _ (or_intror (or_introl eq_refl))).
-  pose proof (beyond _ (or_intror (or_intror (or_introl eq_refl)))).
-  pose proof (beyond _ (or_intror (or_intror (or_intror (or_introl eq_refl))))).
-  unfold within. cbn in *. lra.
+  intros long. destruct (met_or_not_nearly (flat_map near_it l)) as [(x & y & all) | none]; [left | right].
+  - exists (Vector x y). intros s S. apply near_is_on; [now apply long |]. apply near_is. intros c C. apply all.
+    apply in_flat_map. now exists s.
+  - refine (eventually_implied _ _ _ none). intros e far [x y] close. apply (far x y). intros c C.
+    apply in_flat_map in C. destruct C as (s & S & C). exact (proj2 (near_is e x y s) (close s S) c C).
 Qed.
 
 Definition at_most_one (u : vector) : Prop := within 1 nowhere u.
@@ -204,16 +175,16 @@ Definition at_most_one (u : vector) : Prop := within 1 nowhere u.
 Theorem directions_to_the_left (l : list segment) : (forall s, In s l -> nonzero (along s)) ->
   (forall v, exists u, forall s, In s l -> lies_on v s -> 0 < cross (along s) u) ->
   eventually (fun r => forall z, exists u, at_most_one u /\
-    forall s, In s l -> is_near r z s -> r * r <= cross (along s) u).
+    forall s, In s l -> near_segment r z s -> r * r <= cross (along s) u).
 Proof.
   intros long each.
   (* those of one part all near, of the other some *)
   enough (all : forall some part, incl part l -> incl some l -> eventually (fun r => forall z, all_near r z part ->
-    exists u, at_most_one u /\ forall s, In s (part ++ some) -> is_near r z s -> r * r <= cross (along s) u)).
+    exists u, at_most_one u /\ forall s, In s (part ++ some) -> near_segment r z s -> r * r <= cross (along s) u)).
   { refine (eventually_implied _ _ _ (all l [] ltac:(intros s []) (incl_refl _))). intros r there z.
     apply there. intros s []. }
   induction some as [| a some IH]; intros part P S.
-  - destruct (common_point_or_none_near part []) as [(v & on & _) | none]; [intros s I; now apply long, P | |].
+  - destruct (common_point_or_none_near part) as [(v & on) | none]; [intros s I; now apply long, P | |].
     + destruct (each v) as (u & left_).
       refine (eventually_implied _ _ _ (eventually_and _ _ (eventually_and _ _ (eventually_below 1 ltac:(lra))
         (small_steps_stay_within 1 nowhere u ltac:(lra)))
@@ -223,11 +194,12 @@ Proof.
           with (r * cross (along s) u) by (unfold cross, moved_along, nowhere; cbn [vx vy]; ring).
         specialize (below s I). nra.
       * intros s I. exists (cross (along s) u). split; [apply left_; [now apply P | now apply on] |]. intros; lra.
-    + refine (eventually_implied _ _ _ none). intros r far z close. destruct (far z close). intros c [].
+    + refine (eventually_implied _ _ _ none). intros r far z close. destruct (far z close).
   - refine (eventually_implied _ _ _ (eventually_and _ _ (IH part P _) (IH (a :: part) _ _))).
     + intros r [without with_] z close. destruct (near_dec r z a) as [near_a | far_a].
       * destruct (with_ z) as (u & one & left_); [intros s [<- | I]; [exact near_a | now apply close] |].
-        exists u. split; [exact one |]. intros s I. apply left_. apply in_app_iff in I. apply in_app_iff. cbn in *. tauto.
+        exists u. split; [exact one |]. intros s I. apply left_. apply in_app_iff in I. apply in_app_iff.
+        cbn in *. tauto.
       * destruct (without z close) as (u & one & left_). exists u. split; [exact one |]. intros s I here.
         apply left_; [| exact here]. apply in_app_iff in I. apply in_app_iff.
         destruct I as [I | [<- | I]]; [now left | contradiction | now right].
@@ -238,7 +210,7 @@ Qed.
 
 (* What is close to a point of a segment is near the segment. *)
 Lemma close_is_near (s : segment) (z v : vector) (radius : Q) : lies_on v s -> within radius v z ->
-  is_near (radius * size (along s)) z s.
+  near_segment (radius * size (along s)) z s.
 Proof.
   intros on [X Y]. pose proof (on_the_line v s on) as line.
   pose proof (product_bounds _ (vx (along s)) radius X). pose proof (product_bounds _ (vy (along s)) radius X).
@@ -256,5 +228,5 @@ Proof.
   change (0 <= dot (along s) (along s)) in square.
   assert (0 <= k * dot (along s) (along s)) by (apply Qmult_le_0_compat; lra).
   assert (0 <= (1 - k) * dot (along s) (along s)) by (apply Qmult_le_0_compat; lra).
-  unfold is_near. rewrite (ahead (source s)), (ahead (target s)), turned, line, from_, to. unfold size. lra.
+  unfold near_segment. rewrite (ahead (source s)), (ahead (target s)), turned, line, from_, to. unfold size. lra.
 Qed.
