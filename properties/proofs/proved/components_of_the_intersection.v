@@ -9,7 +9,7 @@ From Coq Require Import QArith Qminmax Lqa ZArith Lia Bool List Permutation.
 From Oplus Require Import regions_and_sums small_numbers simple_chain simple_chains_turn_once
   winding_numbers_of_simple_chains left_of_an_edge interiors_meet valid_components coordinates polygons_of_the_thesis
   connected_sets filling kept_pieces_go_round cut_pieces rule_of_sides region_of_pieces nested_chains edges_of_polygons
-  edges_of_the_intersection chains_of_the_intersection connected_beside_pieces near_a_polygon
+  edges_of_the_intersection chains_of_the_intersection connected_beside_pieces leaving_a_polygon
   no_holes_in_the_intersection points_of_the_intersection.
 Import ListNotations.
 

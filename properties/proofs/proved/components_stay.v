@@ -1,12 +1,13 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Off 𝒞 and 𝒞′, the intersection of P and -Q + x has as many components as that of P and -Q + y, for all y close to x.
-   Each point of the one is near one of the other: to the left of all edges there is inside both
-   (contacts_that_overlap.v). And points of it that are near each other are joined in it: by a step; or by way of a
-   reflex vertex of one that is near_segment (near_a_polygon.v), which is on no edge of the other, and so inside it. *)
-From Coq Require Import QArith Qminmax Lqa ZArith Lia Bool List.
-From Oplus Require Import convolution regions_and_sums small_numbers simple_chain replaced_segments reflected
-  polygons_of_the_thesis connected_sets coordinates edges_of_polygons connected_beside_pieces points_of_the_intersection
-  near_segments near_a_polygon contacts_that_overlap components_of_near_sets.
+   At each point z some step leads to the left of all edges near z (contacts_that_overlap.v, near_segments.v). So does
+   one that is a little different: from points close to z, or into the intersection for another y. Such steps do not
+   leave the polygons (leaving_a_polygon.v). So close to each point of one intersection is one of the other; and points
+   of one that are close to each other are joined: by a step each, and one beside the way between the two. *)
+From Coq Require Import QArith Qminmax Lqa ZArith List.
+From Oplus Require Import convolution regions_and_sums small_numbers replaced_segments reflected polygons_of_the_thesis
+  connected_sets coordinates edges_of_polygons connected_beside_pieces points_of_the_intersection near_segments
+  leaving_a_polygon contacts_that_overlap components_of_near_sets.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -14,53 +15,20 @@ Open Scope Q_scope.
 (* The intersection of P and -Q + x. *)
 Definition in_common (p q : list vector) (x z : vector) : Prop := in_region z [p] /\ in_region (minus x z) [q].
 
+Lemma in_common_of_equal (p q : list vector) (x v w : vector) : equal_vectors v w -> in_common p q x v ->
+  in_common p q x w.
+Proof.
+  intros equal [in_p in_q]. split; [now apply (in_region_of_equal _ v) |].
+  apply (in_region_of_equal _ (minus x v)); [| exact in_q]. destruct equal as [X Y].
+  unfold equal_vectors, minus. cbn [vx vy]. rewrite X, Y. split; reflexivity.
+Qed.
+
 Lemma in_reflected_is (x : vector) (q : region) (z : vector) : in_reflected x q z <-> in_region (minus x z) q.
 Proof.
   split.
   - intros (v & in_ & X & Y). apply (in_region_of_equal q v); [| exact in_]. unfold equal_vectors, minus in *.
     cbn [vx vy] in *. split; lra.
   - intros in_. exists (minus x z). split; [exact in_ |]. unfold equal_vectors, minus. cbn [vx vy]. split; ring.
-Qed.
-
-(* Two points of it that are near each other: one can go straight in the first polygon, or to a point in both. *)
-Lemma straight_or_by_a_vertex (p q : list vector) (x : vector) : simple_polygon p ->
-  (forall i, (i < length p)%nat -> reflex_at p i -> off (minus x (vertex p i)) (region_edges [q])) ->
-  eventually (fun d => forall y v w, within d x y -> within d v w -> in_common p q y v -> in_common p q y w ->
-    (forall m, lies_on m (Segment v w) -> in_region m [p]) \/
-    exists u, forall m, lies_on m (Segment v u) \/ lies_on m (Segment w u) -> in_common p q y m).
-Proof.
-  intros polygon reflex_off.
-  assert (all : eventually (fun r => forall i, In i (seq 0 (length p)) -> reflex_at p i ->
-    (forall w m, within (2 * r) (vertex p i) w -> in_region w [p] -> lies_on m (Segment w (vertex p i)) ->
-      in_region m [p]) /\
-    forall g, within (3 * r) (minus x (vertex p i)) g -> off g (region_edges [q]) /\
-      winding_number g (region_edges [q]) = winding_number (minus x (vertex p i)) (region_edges [q]))).
-  { apply eventually_for_all. intros i I. apply in_seq in I. destruct I as [_ I].
-    destruct (Qlt_le_dec (cross (along (edge_at p (previous (length p) i))) (along (edge_at p i))) 0)
-      as [reflex | not_]; [| exists 1; split; [lra | intros e _ _ reflex; unfold reflex_at in reflex; lra]].
-    destruct (straight_to_a_point p polygon (vertex p i)) as (r1 & R1 & straight).
-    { right. exists (edge_at p i). split; [apply edge_at_in_region; [now left | exact I] |].
-      rewrite edge_is by exact I. apply (source_lies_on (Segment _ _)). }
-    destruct (winding_number_near _ _ (region_cycles [q]) (reflex_off i I reflex)) as (r2 & R2 & same_).
-    exists ((1 # 3) * Qmin r1 r2). pose proof (Q.le_min_l r1 r2). pose proof (Q.le_min_r r1 r2).
-    pose proof (Q.min_glb_lt _ _ _ R1 R2). split; [lra |]. intros e some less _. split.
-    - intros w m close. apply straight. unfold within in *. lra.
-    - intros g close. apply same_. unfold within in *. lra. }
-  destruct (some_small _ all) as (r & R & around).
-  refine (eventually_implied _ _ _ (eventually_and _ _ (near_points_are_joined p polygon r R) (eventually_below r R))).
-  intros d [joined [some less]] y v w close_y close in_v in_w.
-  destruct (joined v w close (proj1 in_v) (proj1 in_w)) as [(i & I & reflex & close_v) | straight]; [right | now left].
-  destruct (around i ltac:(apply in_seq; lia) reflex) as [to_it same_]. exists (vertex p i).
-  assert (ways : forall s m, in_common p q y s -> within (2 * r) (vertex p i) s -> lies_on m (Segment s (vertex p i)) ->
-    in_common p q y m).
-  { intros s m [in_p in_q] close_s on. split; [exact (to_it s m close_s in_p on) |].
-    assert (close_m : within (2 * r) (vertex p i) m)
-      by (apply (within_along (2 * r) (vertex p i) s (vertex p i)); trivial; unfold within; lra).
-    destruct (same_ (minus y s)) as [free_s number_s]; [unfold within, minus in *; cbn [vx vy]; lra |].
-    destruct (same_ (minus y m)) as [_ number_m]; [unfold within, minus in *; cbn [vx vy]; lra |].
-    left. rewrite number_m, <- number_s. destruct in_q as [round | (f & F & on_f)]; [exact round |].
-    destruct (free_s f F on_f). }
-  intros m [on | on]; [apply (ways v) | apply (ways w)]; trivial; unfold within in *; lra.
 Qed.
 
 Section TwoPolygons.
@@ -71,50 +39,11 @@ Section TwoPolygons.
   Hypothesis free : off x (convolution_segments [p] [q]).
   Hypothesis free' : off x (original_convolution [p] [q]).
 
-  Lemma back_again (y z : vector) : equal_vectors (minus y (minus y z)) z.
-  Proof. unfold equal_vectors, minus. cbn [vx vy]. split; ring. Qed.
-
-  Lemma in_common_other_way (y z : vector) : in_common p q y z -> in_common q p y (minus y z).
-  Proof.
-    intros [in_p in_q]. split; [exact in_q |]. apply (in_region_of_equal [p] z); [| exact in_p].
-    symmetry. apply back_again.
-  Qed.
-
-  Lemma lies_on_other_way (y m a b : vector) : lies_on m (Segment a b) ->
-    lies_on (minus y m) (Segment (minus y a) (minus y b)).
-  Proof.
-    intros (k & range & X & Y). exists k. cbn [source target] in *. unfold minus. cbn [vx vy]. rewrite X, Y.
-    split; [exact range | split; ring].
-  Qed.
-
-  Lemma near_points_of_it_are_joined :
-    eventually (fun d => forall y, within d x y -> joined_when_near d (in_common p q y)).
-  Proof.
-    refine (eventually_implied _ _ _ (eventually_and _ _
-      (straight_or_by_a_vertex p q x p_polygon (reflex_of_p_is_off p q x free free'))
-      (straight_or_by_a_vertex q p x q_polygon (reflex_of_q_is_off p q x free free')))).
-    intros d [in_p in_q] y close_y v w close in_v in_w.
-    destruct (in_p y v w close_y close in_v in_w) as [straight | (u & ways)].
-    2:{ apply (connected_on _ _ u); [| apply connected_back]; apply connected_by_a_step; auto. }
-    destruct (in_q y (minus y v) (minus y w) close_y) as [straight' | (u & ways)].
-    - unfold within, minus in *. cbn [vx vy]. lra.
-    - now apply in_common_other_way.
-    - now apply in_common_other_way.
-    - apply connected_by_a_step. intros m on. split; [now apply straight |]. now apply straight', lies_on_other_way.
-    - assert (step : forall s, s = v \/ s = w -> connected_in (in_common p q y) s (minus y u)).
-      { intros s which. apply connected_by_a_step. intros m on.
-        destruct (ways (minus y m)) as [one two].
-        { apply (lies_on_other_way y) in on. destruct on as (k & range & X & Y). cbn [source target] in X, Y.
-          assert (on_u : lies_on (minus y m) (Segment (minus y s) u)).
-          { exists k. cbn [source target]. destruct (back_again y u) as [ux uy]. rewrite ux in X. rewrite uy in Y.
-            split; [exact range | now split]. }
-          destruct which as [-> | ->]; [now left | now right]. }
-        split; [| exact one]. apply (in_region_of_equal [p] (minus y (minus y m))); [apply back_again | exact two]. }
-      apply (connected_on _ _ (minus y u)); [| apply connected_back]; apply step; tauto.
-  Qed.
-
-  Lemma near_each_point_is_one (radius : Q) : 0 < radius -> eventually (fun e => forall y y', within e x y ->
-    within e x y' -> comes_near radius (in_common p q y) (in_common p q y')).
+  (* At z, a step u inwards. From a point of the intersection close to z all of it is inside; and so is where it leads
+     to from other points close to z, and that for another y. *)
+  Lemma steps_inwards (radius : Q) : 0 < radius -> eventually (fun e => forall z, exists u, within radius nowhere u /\
+    forall y y' v w k, within e x y -> within e x y' -> within e z v -> within e z w -> 0 <= k <= 1 ->
+      k = 1 \/ y = y' /\ v = w -> in_common p q y v -> in_common p q y' (moved_along w u k)).
   Proof.
     intros R. set (l := region_edges [p] ++ map (reflected x) (region_edges [q])).
     assert (long : forall s, In s l -> nonzero (along s)).
@@ -130,45 +59,88 @@ Section TwoPolygons.
     pose proof (Q.le_min_l radius ((1 # 2) * r) : t <= radius).
     pose proof (Q.le_min_r radius ((1 # 2) * r) : t <= (1 # 2) * r).
     assert (t_some : 0 < t) by (apply Q.min_glb_lt; lra).
-    refine (eventually_implied _ _ _ (eventually_and _ _ (eventually_below ((1 # 6) * r) ltac:(lra))
-      (eventually_positive (t * (n * n)) (- (2 * most)) (Qmult_lt_0_compat _ _ t_some (Qmult_lt_0_compat _ _ N N))))).
-    intros e [[e_some e_few] slow] y y' close close' z [in_p in_q]. destruct (directions z) as (u & one & left_).
-    assert (push : forall s, In s l -> forall v, lies_on v s -> within r v z -> n * n <= cross (along s) u).
-    { intros s S v on close_v. apply (left_ s S).
-      apply (nearer (r * size (along s))); [| now apply (close_is_near s z v)].
-      specialize (sizes s ltac:(apply in_app_iff; now left)). nra. }
-    set (z' := moved_along z u t). exists z'.
+    refine (eventually_implied _ _ _ (eventually_and _ _ (eventually_below ((1 # 12) * r) ltac:(lra))
+      (eventually_positive (t * (n * n)) (- (4 * most)) (Qmult_lt_0_compat _ _ t_some (Qmult_lt_0_compat _ _ N N))))).
+    intros e [[e_some e_few] slow] z. destruct (directions z) as (u & one & left_).
     assert (tu : - t < t * vx u < t /\ - t < t * vy u < t)
       by (unfold at_most_one, within, nowhere in one; cbn [vx vy] in one; split; nra).
-    split; [split |].
-    - apply (going_left_stays p p_polygon z z' in_p). intros k s range S on.
-      assert (value : cross (along s) (minus z' z) == t * cross (along s) u) by (unfold z'; by_computing).
-      rewrite value. apply Qmult_le_0_compat; [lra |]. apply Qle_trans with (n * n); [nra |].
-      apply (push s ltac:(apply in_app_iff; now left) _ on). unfold within, z', moved_along, minus. cbn [vx vy].
-      split; nra.
-    - apply (going_left_stays q q_polygon (minus y z) (minus y' z') in_q). intros k f range F on.
-      set (d := minus (minus y' z') (minus y z)) in *.
-      assert (d_is : vx d == vx y' - vx y - t * vx u /\ vy d == vy y' - vy y - t * vy u)
-        by (unfold d, z', minus, moved_along; cbn [vx vy]; split; ring).
-      assert (pushed : n * n <= cross (along (reflected x f)) u).
-      { apply (push (reflected x f) ltac:(apply in_app_iff; right; now apply in_map)
-          (minus x (moved_along (minus y z) d k))).
-        - apply on_reflected, (lies_on_equal (moved_along (minus y z) d k)); [symmetry; apply back_again | exact on].
-        - assert (d_few : - (2 * e + t) < vx d < 2 * e + t /\ - (2 * e + t) < vy d < 2 * e + t)
-            by (destruct d_is as [dx dy]; rewrite dx, dy; unfold within in *; lra).
-          destruct d_few as [dx dy]. clearbody d z'. unfold within, moved_along, minus in *. cbn [vx vy] in *.
-          split; nra. }
-      assert (value : cross (along f) d == cross (along f) (minus y' y) + t * cross (along (reflected x f)) u).
-      { destruct d_is as [dx dy]. unfold cross at 1. rewrite dx, dy. by_computing. }
-      rewrite value. assert (few : size (along f) <= most) by (apply sizes, in_app_iff; now right).
-      assert (slow_ : - (2 * e * size (along f)) <= cross (along f) (minus y' y)).
-      { assert (apart_x : - (2 * e) < vx y' - vx y < 2 * e) by (unfold within in *; lra).
-        assert (apart_y : - (2 * e) < vy y' - vy y < 2 * e) by (unfold within in *; lra).
-        pose proof (product_bounds _ (vy (along f)) _ apart_x). pose proof (product_bounds _ (vx (along f)) _ apart_y).
-        unfold size, cross, minus at 1, minus at 1. cbn [vx vy]. lra. }
-      assert (2 * e * size (along f) <= 2 * e * most) by nra.
-      assert (t * (n * n) <= t * cross (along (reflected x f)) u) by nra. lra.
-    - unfold within, z', moved_along. cbn [vx vy]. lra.
+    exists (moved_along nowhere u t). split; [unfold within, moved_along, nowhere; cbn [vx vy]; lra |].
+    intros y y' v w k close close' close_v close_w range which [in_p in_q].
+    assert (pushed : forall s c, In s l -> lies_on c s -> within r c z -> n * n <= cross (along s) u).
+    { intros s c S on close_c. apply (left_ s S).
+      apply (nearer (r * size (along s))); [| now apply (close_is_near s z c)].
+      specialize (sizes s ltac:(apply in_app_iff; now left)). nra. }
+    assert (enough_ : forall s m turn, In s (l ++ region_edges [q]) -> within (4 * e) nowhere m ->
+      k = 1 \/ vx m == 0 /\ vy m == 0 -> n * n <= turn -> 0 <= cross (along s) m + k * (t * turn)).
+    { intros s m turn S [mx my] small high. specialize (sizes s S). unfold nowhere in mx, my. cbn [vx vy] in mx, my.
+      assert (t * (n * n) <= t * turn) by (apply Qmult_le_l; assumption). destruct small as [-> | [X Y]].
+      - pose proof (product_bounds (vx m) (vy (along s)) (4 * e) ltac:(lra)).
+        pose proof (product_bounds (vy m) (vx (along s)) (4 * e) ltac:(lra)).
+        assert (e * size (along s) <= e * most) by (apply Qmult_le_l; assumption). unfold size, cross in *. lra.
+      - unfold cross. rewrite X, Y. assert (0 <= k * (t * turn)) by (apply Qmult_le_0_compat; nra). lra. }
+    assert (part : forall b h a, 0 <= h <= 1 -> - b < a < b -> - b < h * a < b).
+    { intros b h a h_range [low high]. pose proof (mixed_is_less h 0 a b h_range ltac:(lra) high).
+      pose proof (mixed_is_more h 0 a (- b) h_range ltac:(lra) low). split; lra. }
+    split.
+    - set (m := minus w v). assert (small : k = 1 \/ vx m == 0 /\ vy m == 0).
+      { destruct which as [one_ | [_ <-]]; [now left | right]. unfold m, minus. cbn [vx vy]. split; ring. }
+      apply (going_left_stays p p_polygon v _ in_p). intros j s j_range S on.
+      assert (value : forall b, cross b (minus (moved_along w (moved_along nowhere u t) k) v) ==
+        cross b m + k * (t * cross b u)) by (intros b; unfold m, nowhere; by_computing).
+      rewrite value. apply enough_; trivial; [do 2 (apply in_app_iff; left); exact S | |].
+      + unfold within, m, minus, nowhere in *. cbn [vx vy]. lra.
+      + apply (pushed s _ ltac:(apply in_app_iff; now left) on).
+        pose proof (part (2 * e) j (vx w - vx v) j_range ltac:(unfold within in *; lra)).
+        pose proof (part (2 * e) j (vy w - vy v) j_range ltac:(unfold within in *; lra)).
+        pose proof (part _ j _ j_range (part _ k _ range (proj1 tu))).
+        pose proof (part _ j _ j_range (part _ k _ range (proj2 tu))).
+        unfold within, moved_along, minus, nowhere in *. cbn [vx vy] in *. lra.
+    - set (m := minus (minus y' y) (minus w v)). assert (small : k = 1 \/ vx m == 0 /\ vy m == 0).
+      { destruct which as [one_ | [<- <-]]; [now left | right]. unfold m, minus. cbn [vx vy]. split; ring. }
+      apply (going_left_stays q q_polygon (minus y v) _ in_q). intros j f j_range F on.
+      assert (value : cross (along f) (minus (minus y' (moved_along w (moved_along nowhere u t) k)) (minus y v)) ==
+        cross (along f) m + k * (t * cross (along (reflected x f)) u)) by (unfold m, nowhere; by_computing).
+      rewrite value. apply enough_; trivial; [apply in_app_iff; now right | |].
+      + unfold within, m, minus, nowhere in *. cbn [vx vy]. lra.
+      + set (c := moved_along (minus y v) _ j) in on. apply (pushed (reflected x f) (minus x c)).
+        * apply in_app_iff. right. now apply in_map.
+        * apply on_reflected, (lies_on_equal c); [| exact on]. unfold equal_vectors, minus. cbn [vx vy]. split; ring.
+        * pose proof (part (4 * e) j (vx m) j_range ltac:(unfold m, within, minus in *; cbn [vx vy]; lra)) as part_x.
+          pose proof (part (4 * e) j (vy m) j_range ltac:(unfold m, within, minus in *; cbn [vx vy]; lra)) as part_y.
+          pose proof (part _ j _ j_range (part _ k _ range (proj1 tu))).
+          pose proof (part _ j _ j_range (part _ k _ range (proj2 tu))).
+          unfold m, c, within, moved_along, minus, nowhere in *. cbn [vx vy] in *. lra.
+  Qed.
+
+  Lemma near_points_of_it_are_joined :
+    eventually (fun d => forall y, within d x y -> joined_when_near d (in_common p q y)).
+  Proof.
+    refine (eventually_implied _ _ _ (eventually_and _ _ (steps_inwards 1 ltac:(lra)) (eventually_below 1 ltac:(lra)))).
+    intros d [inwards [some _]] y close v w close_w in_v in_w. destruct (inwards v) as (u & _ & step).
+    assert (close_v : within d v v) by (unfold within; lra).
+    assert (out : forall s, within d v s -> in_common p q y s -> connected_in (in_common p q y) s (moved_along s u 1)).
+    { intros s close_s in_s. apply connected_by_a_step. intros z (k & range & X & Y). cbn [source target] in X, Y.
+      apply (in_common_of_equal p q y (moved_along s u k)).
+      - unfold equal_vectors, moved_along in *. cbn [vx vy] in *. rewrite X, Y. split; ring.
+      - apply (step y y s s k); auto. }
+    apply (connected_on _ _ _ _ (out v close_v in_v)), connected_back, (connected_on _ _ _ _ (out w close_w in_w)).
+    apply connected_by_a_step. intros z (k & range & X & Y). cbn [source target] in X, Y.
+    set (m := moved_along w (minus v w) k).
+    apply (in_common_of_equal p q y (moved_along m u 1)).
+    - unfold m, equal_vectors, moved_along, minus in *. cbn [vx vy] in *. rewrite X, Y. split; ring.
+    - apply (step y y v m 1); auto; [| lra]. apply (within_along d v w v m close_w close_v). exists k.
+      unfold m, moved_along, minus. cbn [source target vx vy]. split; [exact range | split; ring].
+  Qed.
+
+  Lemma near_each_point_is_one (radius : Q) : 0 < radius -> eventually (fun e => forall y y', within e x y ->
+    within e x y' -> comes_near radius (in_common p q y) (in_common p q y')).
+  Proof.
+    intros R. refine (eventually_implied _ _ _ (eventually_and _ _ (steps_inwards radius R)
+      (eventually_below 1 ltac:(lra)))).
+    intros e [inwards [some _]] y y' close close' z in_z. destruct (inwards z) as (u & few & step).
+    assert (close_z : within e z z) by (unfold within; lra).
+    exists (moved_along z u 1). split; [apply (step y y' z z 1); auto; lra |].
+    unfold within, moved_along, nowhere in *. cbn [vx vy] in *. lra.
   Qed.
 
   (* Theorem. *)

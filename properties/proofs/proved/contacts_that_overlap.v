@@ -6,7 +6,7 @@
 From Coq Require Import QArith Lqa ZArith Lia Bool List.
 From Oplus Require Import convolution regions_and_sums small_numbers simple_chain tracing convolution_winding
   reflected replaced_segments definition_2_2_8 tangent_direction reduced_convolution edges_at_a_point fans_that_touch
-  polygons_of_the_thesis coordinates turned_chains edges_of_polygons near_segments near_a_polygon.
+  polygons_of_the_thesis coordinates turned_chains edges_of_polygons leaving_a_polygon.
 Import ListNotations.
 
 Open Scope Q_scope.

@@ -3,7 +3,7 @@
    is linear conditions on coordinates. Coordinates are eliminated from these, one after the other; what is left are
    conditions on how near the points are (Fourier and Motzkin). So if at each point there is a direction to the left of
    all segments there, such a direction is found for all points, where the nearly met segments count, too. *)
-From Coq Require Import QArith Lqa List.
+From Coq Require Import QArith Qminmax Lqa List.
 From Oplus Require Import regions_and_sums small_numbers first_hit neighbourhoods coordinates.
 Import ListNotations.
 
@@ -229,4 +229,12 @@ Proof.
   assert (0 <= k * dot (along s) (along s)) by (apply Qmult_le_0_compat; lra).
   assert (0 <= (1 - k) * dot (along s) (along s)) by (apply Qmult_le_0_compat; lra).
   unfold near_segment. rewrite (ahead (source s)), (ahead (target s)), turned, line, from_, to. unfold size. lra.
+Qed.
+
+Lemma sizes_are_bounded (l : list segment) : exists most, 0 < most /\ forall s, In s l -> size (along s) <= most.
+Proof.
+  induction l as [| s l (most & some & all)]; [exists 1; split; [lra | intros s []] |].
+  exists (Qmax most (size (along s))).
+  pose proof (Q.le_max_l most (size (along s))). pose proof (Q.le_max_r most (size (along s))).
+  split; [lra |]. intros t [<- | T]; [assumption |]. specialize (all t T). lra.
 Qed.

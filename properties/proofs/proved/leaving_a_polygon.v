@@ -1,11 +1,10 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Going straight on in a simple polygon, one leaves it only to the right of an edge: near a point of the boundary all
-   that is to the left of the edges there is inside. So points of a polygon that are near each other can be joined by a
-   step, if no reflex vertex is near; and points near a vertex can be joined with it. *)
-From Coq Require Import QArith Qminmax Lqa ZArith Lia Bool List.
+   that is to the left of the edges there is inside. So nobody leaves it who goes to the left of all edges. *)
+From Coq Require Import QArith Lqa ZArith Lia List.
 From Oplus Require Import convolution regions_and_sums small_numbers simple_chain boundary_points inside_a_corner
-  edges_at_a_point fans_that_touch polygons_of_the_thesis coordinates filling edges_of_polygons
-  points_of_the_intersection first_on_the_way near_segments.
+  edges_at_a_point fans_that_touch polygons_of_the_thesis edges_of_polygons points_of_the_intersection
+  first_on_the_way.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -24,14 +23,6 @@ Proof.
   destruct (on_or_off z (region_edges r)) as [on | free]; [left; now right |].
   destruct (Z_lt_le_dec 0 (winding_number z (region_edges r))) as [some | none]; [left; now left | right].
   intros [some | (s & S & on)]; [lia | exact (free s S on)].
-Qed.
-
-Lemma within_dec (radius : Q) (v w : vector) : {within radius v w} + {~ within radius v w}.
-Proof.
-  unfold within. destruct (Qlt_le_dec (- radius) (vx w - vx v)); [| right; lra].
-  destruct (Qlt_le_dec (vx w - vx v) radius); [| right; lra].
-  destruct (Qlt_le_dec (- radius) (vy w - vy v)); [| right; lra].
-  destruct (Qlt_le_dec (vy w - vy v) radius); [left; lra | right; lra].
 Qed.
 
 Section OnePolygon.
@@ -214,144 +205,5 @@ Section OnePolygon.
     intros in_ left_. destruct (in_region_dec m [c]) as [| out]; [assumption | exfalso].
     destruct (leaving_to_the_right z m in_ out) as (k & e & range & E & on & right_ & _).
     specialize (left_ k e ltac:(lra) E on). lra.
-  Qed.
-
-  (* Near a point of the polygon, one goes straight to it. *)
-  Lemma straight_to_a_point (v : vector) : in_region v [c] -> exists radius, 0 < radius /\
-    forall w m, within radius v w -> in_region w [c] -> lies_on m (Segment w v) -> in_region m [c].
-  Proof.
-    intros in_v. destruct (some_square v [c]) as (radius & R & near_). exists radius. split; [exact R |].
-    intros w m close in_w (g & range & X & Y). cbn [source target] in X, Y.
-    destruct (in_region_dec m [c]) as [| out]; [assumption | exfalso].
-    destruct (leaving_to_the_right w m in_w out) as (h & e & range' & E & on & right_ & _).
-    set (p := moved_along w (minus m w) h) in *.
-    assert (p_is : vx p == (1 - g * h) * vx w + g * h * vx v /\ vy p == (1 - g * h) * vy w + g * h * vy v)
-      by (unfold p, moved_along, minus; cbn [vx vy]; rewrite X, Y; split; ring).
-    destruct p_is as [px py].
-    assert (close_p : within radius v p).
-    { apply (within_along radius v w v p close); [unfold within; lra |]. exists (g * h). cbn [source target].
-      split; [split; nra | now split]. }
-    destruct (near_ e) as [on_v | away]; [| | exact (away p close_p on)].
-    - apply in_flat_map. exists e. split; [exact E | now left].
-    - pose proof (on_the_line p e on) as line. rewrite (area_from v p e on_v) in line.
-      assert (value : (1 - g * h) * cross (along e) (minus v w) == 0).
-      { setoid_replace ((1 - g * h) * cross (along e) (minus v w)) with (- cross (along e) (minus p v)); [lra |].
-        unfold cross, along, minus. cbn [vx vy]. rewrite px, py. ring. }
-      assert (flat : cross (along e) (minus v w) == 0) by (apply (Qmult_inj_l _ _ (1 - g * h)); [nra | lra]).
-      assert (value' : cross (along e) (minus m w) == g * cross (along e) (minus v w))
-        by (unfold cross, along, minus; cbn [vx vy]; rewrite X, Y; ring).
-      rewrite value', flat in right_. lra.
-  Qed.
-
-  (* Who is near two edges is near a reflex vertex, or the first is to the left of the second. *)
-  Lemma near_two_edges (e f : segment) (radius : Q) : In e boundary -> In f boundary -> 0 < radius ->
-    eventually (fun d => forall z, near_segment d z e -> near_segment d z f ->
-      (exists i, (i < n)%nat /\ reflex_at i /\ within radius (vertex c i) z) \/ forall w, lies_on w e -> 0 <= area f w).
-  Proof.
-    intros E F R. pose proof (polygon_edges_are_long c polygon) as long.
-    destruct (common_point_or_none_near [e; f]) as [(v & on) | none].
-    { intros s [<- | [<- | []]]; now apply long. }
-    2:{ refine (eventually_implied _ _ _ none). intros d far z near_e near_f. destruct (far z).
-        intros s [<- | [<- | []]]; assumption. }
-    assert (on_e : lies_on v e) by (apply on; now left). assert (on_f : lies_on v f) by (apply on; right; now left).
-    destruct (edges_there v (ex_intro _ e (conj E on_e))) as (s & t & S & T & _ & _ & only & _ & corner_).
-    assert (easy : (forall w, lies_on w e -> 0 <= area f w) -> eventually (fun d => forall z, near_segment d z e ->
-      near_segment d z f -> (exists i, (i < n)%nat /\ reflex_at i /\ within radius (vertex c i) z) \/
-      forall w, lies_on w e -> 0 <= area f w)) by (intros left_; exists 1; split; [lra | intros; now right]).
-    destruct (segment_dec e f) as [<- | differ];
-      [apply easy; intros w on_w; rewrite (on_the_line w e on_w); lra |].
-    pose proof (only e E on_e) as e_is. pose proof (only f F on_f) as f_is.
-    destruct corner_ as [[<- _] | (i & I & _ & s_is & t_is & (_ & _ & [X Y] & _))];
-      [destruct differ; destruct e_is, f_is; congruence |].
-    destruct (Qlt_le_dec (cross (along s) (along t)) 0) as [reflex | not_reflex].
-    - set (turn := - cross (along s) (along t)). assert (some : 0 < turn) by (unfold turn; lra).
-      refine (eventually_implied _ _ _ (eventually_and _ _ (eventually_below 1 ltac:(lra)) (eventually_positive
-        (radius * turn) (- (2 * (size (along s) + size (along t)))) (Qmult_lt_0_compat _ _ R some)))).
-      intros d [[d_some _] few] z near_e near_f. left. exists i. split; [exact I |].
-      split; [unfold reflex_at; now rewrite <- s_is, <- t_is |].
-      assert (both : - (2 * d) < area s z < 2 * d /\ - (2 * d) < area t z < 2 * d).
-      { unfold near_segment in near_e, near_f.
-        destruct e_is as [-> | ->], f_is as [-> | ->]; try (now destruct differ); lra. }
-      destruct both as [near_s near_t].
-      assert (v_is : vertex c i = source t) by (rewrite t_is, edge_is by exact I; reflexivity).
-      assert (value : turn * (vx z - vx (source t)) == area t z * vx (along s) - area s z * vx (along t) /\
-        turn * (vy z - vy (source t)) == area t z * vy (along s) - area s z * vy (along t))
-        by (unfold turn, area, cross, along, minus; cbn [vx vy]; rewrite <- X, <- Y; split; ring).
-      pose proof (product_bounds _ (vx (along t)) _ near_s). pose proof (product_bounds _ (vy (along t)) _ near_s).
-      pose proof (product_bounds _ (vx (along s)) _ near_t). pose proof (product_bounds _ (vy (along s)) _ near_t).
-      assert (low : forall h, 0 <= 2 * d * Qabs.Qabs h)
-        by (intros h; apply Qmult_le_0_compat; [lra | apply abs_bounds]).
-      pose proof (low (vx (along s))). pose proof (low (vy (along s))).
-      pose proof (low (vx (along t))). pose proof (low (vy (along t))).
-      unfold within, size in *. rewrite v_is. destruct value as [value_x value_y].
-      assert (most : forall h, turn * - radius < turn * h -> turn * h < turn * radius -> - radius < h < radius)
-        by (intros h low_ high; split; now apply (Qmult_lt_l _ _ turn some)).
-      split; apply most; rewrite ?value_x, ?value_y; lra.
-    - apply easy. intros w (k & range & wx & wy).
-      destruct e_is as [-> | ->], f_is as [-> | ->]; try now destruct differ.
-      + assert (value : area t w == (1 - k) * cross (along s) (along t))
-          by (unfold area, cross, along, minus; cbn [vx vy]; rewrite wx, wy, <- X, <- Y; ring).
-        rewrite value. apply Qmult_le_0_compat; lra.
-      + assert (value : area s w == k * cross (along s) (along t))
-          by (unfold area, cross, along, minus; cbn [vx vy]; rewrite wx, wy, <- X, <- Y; ring).
-        rewrite value. apply Qmult_le_0_compat; lra.
-  Qed.
-
-  Lemma sizes_are_bounded (l : list segment) : exists most, 0 < most /\ forall s, In s l -> size (along s) <= most.
-  Proof.
-    clear. induction l as [| s l (most & some & all)]; [exists 1; split; [lra | intros s []] |].
-    exists (Qmax most (size (along s))).
-    pose proof (Q.le_max_l most (size (along s))). pose proof (Q.le_max_r most (size (along s))).
-    split; [lra |]. intros t [<- | T]; [assumption |]. specialize (all t T). lra.
-  Qed.
-
-  (* Theorem. Points near each other can be joined by a step, or a reflex vertex is near. *)
-  Theorem near_points_are_joined (radius : Q) : 0 < radius -> eventually (fun d =>
-    forall v w, within d v w -> in_region v [c] -> in_region w [c] ->
-      (exists i, (i < n)%nat /\ reflex_at i /\ within radius (vertex c i) v) \/
-      forall m, lies_on m (Segment v w) -> in_region m [c]).
-  Proof.
-    intros R.
-    destruct (eventually_for_all (fun ef d => forall z, near_segment d z (fst ef) -> near_segment d z (snd ef) ->
-      (exists i, (i < n)%nat /\ reflex_at i /\ within radius (vertex c i) z) \/
-      forall w, lies_on w (fst ef) -> 0 <= area (snd ef) w) (list_prod boundary boundary)) as (bound & B & all).
-    { intros [e f] P. apply in_prod_iff in P. apply near_two_edges; tauto. }
-    destruct (sizes_are_bounded boundary) as (most & M & sizes).
-    assert (share : bound / most * most == bound) by (field; lra).
-    exists (bound / most). split; [apply Qlt_shift_div_l; lra |]. set (q := bound / most) in *. clearbody q.
-    intros d D less v w close in_v in_w.
-    destruct (one_or_all (exists i, (i < n)%nat /\ reflex_at i /\ within radius (vertex c i) v)
-      (fun i => (i < n)%nat -> reflex_at i -> ~ within radius (vertex c i) v) (seq 0 n)) as [found | none];
-      [| now left | right].
-    { intros i _. destruct (le_lt_dec n i) as [| I]; [right; lia |].
-      destruct (within_dec radius (vertex c i) v) as [near_ | far]; [| now right].
-      destruct (Qlt_le_dec (cross (along (edge_at c (previous n i))) (along (edge_at c i))) 0) as [reflex | not_];
-        [left; now exists i | right; intros _ reflex; unfold reflex_at in reflex; lra]. }
-    intros m (g & range & X & Y). cbn [source target] in X, Y.
-    destruct (in_region_dec m [c]) as [| out]; [assumption | exfalso].
-    destruct (leaving_to_the_right v m in_v out) as (k & e & k_range & E & on_e & _).
-    destruct (leaving_to_the_right w m in_w out) as (l & f & l_range & F & on_f & right_f & _).
-    set (p := moved_along v (minus m v) k) in *. set (o := moved_along w (minus m w) l) in *.
-    assert (ahead : 0 < 1 - l * (1 - g) - k * g).
-    { setoid_replace (1 - l * (1 - g) - k * g) with ((1 - g) * (1 - l) + g * (1 - k)) by ring.
-      apply mixed_is_more; lra. }
-    assert (near_it_ : forall s h, 0 <= h <= 1 -> In s boundary -> lies_on (moved_along v (minus w v) h) s ->
-      near_segment (d * most) v s).
-    { intros s h h_range S on. apply (nearer (d * size (along s))); [specialize (sizes s S); nra |].
-      apply (close_is_near s v (moved_along v (minus w v) h)); [exact on |].
-      unfold within, moved_along, minus in *. cbn [vx vy]. nra. }
-    destruct (all (d * most) (Qmult_lt_0_compat _ _ D M) ltac:(nra) (e, f) ltac:(now apply in_prod) v)
-      as [(i & I & reflex & close_v) | left_].
-    - apply (near_it_ e (k * g)); [split; nra | exact E |]. apply (lies_on_equal p); [| exact on_e].
-      unfold equal_vectors, p, moved_along, minus. cbn [vx vy]. rewrite X, Y. split; ring.
-    - apply (near_it_ f (1 - l * (1 - g))); [split; nra | exact F |]. apply (lies_on_equal o); [| exact on_f].
-      unfold equal_vectors, o, moved_along, minus. cbn [vx vy]. rewrite X, Y. split; ring.
-    - exact (none i ltac:(apply in_seq; lia) I reflex close_v).
-    - specialize (left_ p on_e). cbn [snd] in left_. pose proof (on_the_line o f on_f) as line.
-      assert (back : cross (along f) (minus m w) == - ((1 - g) * cross (along f) (minus w v)))
-        by (unfold cross, minus; cbn [vx vy]; rewrite X, Y; ring).
-      assert (way : area f o - area f p == (1 - l * (1 - g) - k * g) * cross (along f) (minus w v))
-        by (unfold area, cross, o, p, moved_along, along, minus; cbn [vx vy]; rewrite X, Y; ring).
-      set (turn := cross (along f) (minus w v)) in *. assert (some : 0 < turn) by nra. nra.
   Qed.
 End OnePolygon.
