@@ -84,31 +84,31 @@ Section OnePolygon.
           - apply in_flat_map. exists f. split; [exact F | now left].
           - pose proof (area_from z w f on_f). pose proof (on_the_line w f on_w).
             destruct (only f F on_f) as [-> | ->]; lra. }
-        destruct (no_vertex_near [c] t z ((1 # 2) * radius) long_t on_t) as (m & close_m & on_m & no_vertex); [lra |].
         pose proof (left_normal t long_t) as left_n. set (k := Vector (- vy (along t)) (vx (along t))) in *.
+        destruct (some_small _ (eventually_and _ _ (small_steps_stay_within ((1 # 2) * radius) z (along t) ltac:(lra))
+          (eventually_below 1 ltac:(lra)))) as (h & _ & close_m & h_some & h_less).
+        set (m := moved_along z (along t) h) in *.
+        assert (on_m : strictly_inside m t).
+        { destruct z_is as [zx zy]. exists h. unfold m, moved_along, along, minus. cbn [vx vy]. rewrite zx, zy.
+          split; [lra | split; ring]. }
         assert (ahead : 0 < cross (along s) (minus m z)).
-        { destruct on_m as (h & range & X & Y). destruct (Qlt_le_dec 0 h) as [some | none].
-          - assert (value : cross (along s) (minus m z) == h * cross (along s) (along t)).
-            { destruct z_is as [zx zy]. unfold cross, along, minus. cbn [vx vy]. rewrite X, Y, zx, zy. ring. }
-            rewrite value. now apply Qmult_lt_0_compat.
-          - exfalso. apply no_vertex. exists t. split; [exact T |]. assert (h_is : h == 0) by lra.
-            rewrite h_is in X, Y. split; lra. }
-        destruct c_region as (_ & valid & meets).
-        destruct (some_small _ (eventually_and _ _ (left_of_an_edge_is_inside [c] t m k valid meets T on_m no_vertex
-          left_n) (eventually_and _ _ (small_steps_stay_within ((1 # 2) * radius) m k ltac:(lra))
-          (eventually_positive _ (cross (along s) k) ahead)))) as (e & some & [off_start round] & near_start & left_s).
+        { setoid_replace (cross (along s) (minus m z)) with (h * cross (along s) (along t))
+            by (unfold m; by_coordinates). now apply Qmult_lt_0_compat. }
+        destruct (some_small _ (eventually_and _ _ (beside_an_edge c polygon t m k T on_m left_n) (eventually_and _ _
+          (small_steps_stay_within ((1 # 2) * radius) m k ltac:(lra))
+          (eventually_positive _ (cross (along s) k) ahead)))) as (e & some & [round _] & near_start & left_s).
         set (start := moved_along m k e) in *.
         assert (left_s' : 0 < cross (along s) (minus start z)).
         { setoid_replace (cross (along s) (minus start z)) with (cross (along s) (minus m z) + e * cross (along s) k)
             by (unfold start; by_coordinates). exact left_s. }
         assert (left_t' : 0 < cross (along t) (minus start z)).
         { rewrite <- (area_from z start t on_t). setoid_replace (area t start) with (area t m + e * cross (along t) k)
-            by (unfold start; by_coordinates). rewrite (on_the_line m t on_m).
+            by (unfold start; by_coordinates). rewrite (on_the_line m t (strictly_inside_lies_on m t on_m)).
           pose proof (Qmult_lt_0_compat _ _ some left_n). lra. }
         assert (between_ : forall f w, lies_on w (Segment start y) -> 0 < cross f (minus start z) ->
           0 < cross f (minus y z) -> 0 < cross f (minus w z)).
-        { intros f w (h & range & X & Y) at_start at_y. cbn [source target] in X, Y.
-          setoid_replace (cross f (minus w z)) with ((1 - h) * cross f (minus start z) + h * cross f (minus y z))
+        { intros f w (g & range & X & Y) at_start at_y. cbn [source target] in X, Y.
+          setoid_replace (cross f (minus w z)) with ((1 - g) * cross f (minus start z) + g * cross f (minus y z))
             by (unfold cross, minus; cbn [vx vy]; rewrite X, Y; ring).
           now apply mixed_is_more. }
         assert (free_way : forall w, lies_on w (Segment start y) -> off w boundary).

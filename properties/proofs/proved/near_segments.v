@@ -3,7 +3,7 @@
    is linear conditions on coordinates. Coordinates are eliminated from these, one after the other; what is left are
    conditions on how near the points are (Fourier and Motzkin). So if at each point there is a direction to the left of
    all segments there, such a direction is found for all points, where the nearly met segments count, too. *)
-From Coq Require Import QArith Qminmax Lqa List.
+From Coq Require Import QArith Qminmax Lqa Bool List.
 From Oplus Require Import regions_and_sums small_numbers first_hit neighbourhoods coordinates.
 Import ListNotations.
 
@@ -21,11 +21,19 @@ Definition both_conditions (pair_ : condition * condition) : condition :=
     (of_y d * slack c - of_y c * slack d).
 Definition from_below (c : condition) : bool := negative (of_y c).
 Definition from_above (c : condition) : bool := positive (of_y c).
+Definition on_x_only (c : condition) : bool := negb (from_below c || from_above c).
 
 (* What they ask of x. *)
 Definition eliminated (l : list condition) : list condition :=
-  filter (fun c => negb (from_below c || from_above c)) l ++
-  map both_conditions (list_prod (filter from_below l) (filter from_above l)).
+  filter on_x_only l ++ map both_conditions (list_prod (filter from_below l) (filter from_above l)).
+
+Lemma conditions_by_sign (l : list condition) (c : condition) :
+  (In c (filter from_below l) <-> In c l /\ of_y c < 0) /\ (In c (filter from_above l) <-> In c l /\ 0 < of_y c) /\
+  (In c (filter on_x_only l) <-> In c l /\ of_y c == 0).
+Proof.
+  rewrite !filter_In. unfold on_x_only, from_below, from_above.
+  destruct (negative_spec (of_y c)), (positive_spec (of_y c)); cbn; intuition (lra || discriminate).
+Qed.
 
 Lemma a_number_between (lows highs : list Q) : (forall l h, In l lows -> In h highs -> l <= h) ->
   exists y, (forall l, In l lows -> l <= y) /\ (forall h, In h highs -> y <= h).
@@ -51,31 +59,23 @@ Proof.
     { intros low high L H. apply in_map_iff in L, H. destruct L as (c & <- & C), H as (d & <- & D).
       assert (both : holds e x 0 (both_conditions (c, d)))
         by (apply all, in_app_iff; right; apply in_map, in_prod; assumption).
-      apply filter_In in C, D. destruct C as [_ C], D as [_ D]. unfold from_below, from_above in C, D.
-      destruct (negative_spec (of_y c)) as [c_low |]; [| discriminate].
-      destruct (positive_spec (of_y d)) as [d_high |]; [| discriminate].
+      apply conditions_by_sign in C, D. destruct C as [_ c_low], D as [_ d_high].
       pose proof (value c ltac:(lra)) as c_is. pose proof (value d ltac:(lra)) as d_is.
       unfold holds, both_conditions in both. cbn [of_x of_y limit slack] in both. apply Qnot_lt_le. intros less.
       assert (of_y d * (bound c * of_y c) - of_y c * (bound d * of_y d) >= 0) by (rewrite c_is, d_is; lra).
       assert (0 < (bound c - bound d) * (of_y d * - of_y c)) by (repeat apply Qmult_lt_0_compat; lra). lra. }
-    exists y. intros c C. unfold holds. destruct (from_below c) eqn:low; [| destruct (from_above c) eqn:high].
-    + specialize (lows (bound c) (in_map bound _ _ (proj2 (filter_In _ _ _) (conj C low)))).
-      unfold from_below in low. destruct (negative_spec (of_y c)) as [c_low |]; [| discriminate].
+    exists y. intros c C. unfold holds. destruct (Q_dec (of_y c) 0) as [[low | high] | none].
+    + specialize (lows (bound c) (in_map bound _ _ (proj2 (proj1 (conditions_by_sign l c)) (conj C low)))).
       pose proof (value c ltac:(lra)). nra.
-    + specialize (highs (bound c) (in_map bound _ _ (proj2 (filter_In _ _ _) (conj C high)))).
-      unfold from_above in high. destruct (positive_spec (of_y c)) as [c_high |]; [| discriminate].
+    + specialize (highs (bound c) (in_map bound _ _ (proj2 (proj1 (proj2 (conditions_by_sign l c))) (conj C high)))).
       pose proof (value c ltac:(lra)). nra.
-    + assert (there : holds e x 0 c) by (apply all, in_app_iff; left; apply filter_In; now rewrite low, high).
-      unfold from_below, from_above in low, high. destruct (negative_spec (of_y c)); [discriminate |].
-      destruct (positive_spec (of_y c)); [discriminate |]. assert (none : of_y c == 0) by lra.
+    + assert (there : holds e x 0 c) by (apply all, in_app_iff; left; now apply conditions_by_sign).
       unfold holds in there. rewrite none in *. lra.
   - intros (y & all) c C. apply in_app_iff in C. destruct C as [C | C].
-    + apply filter_In in C. destruct C as [C level]. specialize (all c C). unfold from_below, from_above in level.
-      destruct (negative_spec (of_y c)); [discriminate |]. destruct (positive_spec (of_y c)); [discriminate |].
-      assert (none : of_y c == 0) by lra. unfold holds in *. rewrite none in *. lra.
+    + apply conditions_by_sign in C. destruct C as [C none]. specialize (all c C). unfold holds in *.
+      rewrite none in *. lra.
     + apply in_map_iff in C. destruct C as ([d f] & <- & D). apply in_prod_iff in D. destruct D as [D F].
-      apply filter_In in D, F. destruct D as [D low], F as [F high]. unfold from_below, from_above in low, high.
-      destruct (negative_spec (of_y d)); [| discriminate]. destruct (positive_spec (of_y f)); [| discriminate].
+      apply conditions_by_sign in D, F. destruct D as [D low], F as [F high].
       pose proof (all d D) as d_holds. pose proof (all f F) as f_holds. unfold holds, both_conditions in *.
       cbn [of_x of_y limit slack]. nra.
 Qed.
