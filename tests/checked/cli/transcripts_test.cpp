@@ -7,15 +7,14 @@
 namespace oplus {
 namespace {
 
-std::filesystem::path folder_of_transcripts() {
-  return source_root() / "tests/checked/cli/transcripts";
-}
-
-std::vector<std::string> transcripts() {
-  std::set<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(folder_of_transcripts()))
-    names.insert(entry.path().stem().string());
-  return {names.begin(), names.end()};
+/// The files of both folders.
+std::set<std::filesystem::path> transcripts() {
+  std::set<std::filesystem::path> files;
+  for (const std::string folder : {"tests/checked/cli", "tests/properties"})
+    for (const auto& entry :
+         std::filesystem::directory_iterator(source_root() / folder / "transcripts"))
+      files.insert(entry.path());
+  return files;
 }
 
 /// What one of the streams of a command should be: all of it, or some of its parts.
@@ -78,14 +77,14 @@ void expect_text(const Expected& expected, const std::string& text) {
   if (expected.parts.empty()) EXPECT_EQ(text, expected.whole);
 }
 
-class Transcript : public ShellWithRegions, public testing::WithParamInterface<std::string> {};
+class Transcript : public ShellWithRegions,
+                   public testing::WithParamInterface<std::filesystem::path> {};
 
 TEST_P(Transcript, is_what_the_program_prints) {
-  const std::filesystem::path path = folder_of_transcripts() / (GetParam() + ".txt");
-  const std::vector<Step> steps = steps_of(path);
+  const std::vector<Step> steps = steps_of(GetParam());
   EXPECT_GT(steps.size(), 3U);
   for (const Step& step : steps) {
-    SCOPED_TRACE(path.string() + ':' + std::to_string(step.line) + ": " + step.subject);
+    SCOPED_TRACE(GetParam().string() + ':' + std::to_string(step.line) + ": " + step.subject);
     if (step.is_file) {
       put(step.subject, step.out.whole);
     } else if (step.refusal) {
@@ -99,7 +98,7 @@ TEST_P(Transcript, is_what_the_program_prints) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, Transcript, testing::ValuesIn(transcripts()),
-                         [](const auto& instance) { return instance.param; });
+                         [](const auto& instance) { return instance.param.stem().string(); });
 
 }  // namespace
 }  // namespace oplus
