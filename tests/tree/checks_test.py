@@ -109,7 +109,13 @@ class PageAlgorithms(TreeTest):
         for path in ("checked/slide/a.cpp", "checked/layouts/a.cpp", "checked/sweep/a.cpp"):
             self.write(path, "std::ranges::find(a, b);", "std::find(std::ranges::begin(a), std::ranges::rotate(a));")
         self.assertEqual(list(page_algorithms.violations(self.root)),
-                         [f"checked/slide/a.cpp:2: {page_algorithms.HEADER} has no rotate"])
+                         [f"checked/slide/a.cpp:2: {page_algorithms.HEADER} has no rotate of 1 arguments"])
+
+    def test_as_many_arguments(self):
+        self.write(page_algorithms.HEADER, "auto find(const Range& range, const Value& value) {")
+        self.write("checked/slide/a.cpp", "std::ranges::find(a, f(b, c)); std::ranges::find(a,", "  [](int i, int j) { g(i, j); }, {});")
+        self.assertEqual(list(page_algorithms.violations(self.root)),
+                         [f"checked/slide/a.cpp:1: {page_algorithms.HEADER} has no find of 3 arguments"])
 
 
 class Compiled(TreeTest):

@@ -72,13 +72,6 @@ Section Two.
     - unfold equal_vectors, point_between, moved_along, v. cbn [vx vy]. split; field; lra.
   Qed.
 
-  Lemma inner_if_near (x : vector) :
-    (exists radius, 0 < radius /\ forall y, within radius x y -> is_in_sum t u y) -> is_inner_sum_of t u x.
-  Proof.
-    intros (radius & R & near). apply inner_if_steps_stay. intros v.
-    exact (eventually_implied _ _ (fun e close => near _ close) (small_steps_stay_within radius x v R)).
-  Qed.
-
   (* Two vectors along a line. *)
   Lemma along_one_line (n d w : vector) : nonzero n -> nonzero d -> dot n d == 0 -> dot n w == 0 ->
     exists k, vx w == k * vx d /\ vy w == k * vy d.

@@ -250,9 +250,6 @@ Section Sum.
 
   Let loops_ := boundary_loops_are_loops_of_the_sum.
 
-  Lemma edges_of_the_loops : Permutation (region_edges loops) (filled segments).
-  Proof. exact (loops_take_kept _ _ _ _ _ loops_). Qed.
-
   Lemma filled_are_edges (e : segment) : In e (region_edges loops) <-> In e (filled segments).
   Proof. symmetry. exact (kept_are_edges p q _ _ loops loops_ e). Qed.
 

@@ -12,7 +12,7 @@ From Oplus Require Import convolution theorem_4_2_1 theorem_2_2_10 lemma_2_2_2 p
   printed_lemma_4_2_15 theorem_2_2_6 reflected placed_collision printed_observation_4_2_5
   printed_observation_4_2_8 naive_collision
   collision_is_complete section_5_1 simple_polygons printed_section_5_1 printed_theorem_2_2_10 printed_theorem_2_2_6
-  test_of_regions printed_theorem_4_2_1 drawn_sums.
+  test_of_regions printed_theorem_4_2_1 connected_sets small_intersection printed_theorem_4_2_14 drawn_sums.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -122,6 +122,19 @@ Qed.
 Example the_original_convolution_of_the_room :
   well_defined_winding_numbers (original_convolution [room] [fitting_diamond]).
 Proof. apply lemma_4_2_13_as_printed; apply simple_polygons_are_regions, drawn_polygons. Qed.
+
+(* A bar across the two arms of the letter U meets it in two components, where it is flush with the ends of the arms and
+   with a side of the U, too: there x is on the vertex-edge sum, but off the convolution. *)
+Example bar_in_two_components :
+  has_components (fun z => in_region z region_of_letter_u /\ in_reflected (Vector 1 1) bar z) 2.
+Proof.
+  destruct (theorem_4_2_14_as_printed (hd [] region_of_letter_u) (hd [] bar) (Vector 1 1)) as (k & components & number).
+  1, 2: split; [apply is_simple_decides |]; vm_compute; reflexivity.
+  1, 2: apply off_by_computation; vm_compute; reflexivity.
+  unfold region_of_letter_u, bar in *. cbn [hd] in *.
+  change (winding_number _ _) with (Z.of_nat 2) in number.
+  apply Nat2Z.inj in number. now rewrite <- number in components.
+Qed.
 
 (* At the inner corner (6, 5) of the room, in a point inside the diamond placed there. *)
 Example at_an_inner_corner : let x := Vector (13 # 2) 5 in

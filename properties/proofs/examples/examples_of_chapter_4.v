@@ -6,8 +6,7 @@ From Oplus Require Import convolution tracing balanced_graph convolution_graph c
   convolution_winding regions region_size valid_components test_of_components theorem_4_2_1_for_valid_regions
   size_of_valid_regions interiors_meet theorem_4_2_1 tangent_count small_polygons simple_polygons replaced_segments
   tangent_features polygons_of_the_thesis drawn_regions fans_that_touch simple_chain connected_parts
-  tracing_programs printed_theorem_4_1_10 chains_of_the_intersection connected_sets number_of_components
-  small_intersection.
+  tracing_programs printed_theorem_4_1_10 chains_of_the_intersection.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -88,19 +87,6 @@ Proof.
     as (r & valid & all_simple & _ & number); [apply drawn_polygons .. | |].
   - apply general_position_by_computation. vm_compute. reflexivity.
   - exists r. split; [exact valid | split; [exact all_simple | exact number]].
-Qed.
-
-(* A bar across the two arms of the letter U meets it in two components. *)
-Example bar_in_two_components : has_components (fun z => in_region z region_of_letter_u /\ in_reflected origin bar z) 2.
-Proof.
-  destruct (theorem_4_2_14_in_general_position (hd [] region_of_letter_u) (hd [] bar) origin) as (k & components &
-    number).
-  1, 2: split; [apply is_simple_decides |]; vm_compute; reflexivity.
-  - apply general_position_by_computation. vm_compute. reflexivity.
-  - assert (two : winding_number origin (original_convolution region_of_letter_u bar) = 2%Z)
-      by (vm_compute; reflexivity).
-    unfold region_of_letter_u, bar in *. cbn [hd] in *. rewrite two in number.
-    assert (k_is : k = 2%nat) by lia. now rewrite k_is in components.
 Qed.
 
 (* Theorem 4.2.1 in general position. *)

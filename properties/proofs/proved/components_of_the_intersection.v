@@ -9,7 +9,7 @@ From Coq Require Import QArith Qminmax Lqa ZArith Lia Bool List Permutation.
 From Oplus Require Import regions_and_sums small_numbers simple_chain simple_chains_turn_once
   winding_numbers_of_simple_chains left_of_an_edge interiors_meet valid_components coordinates polygons_of_the_thesis
   connected_sets filling kept_pieces_go_round cut_pieces rule_of_sides region_of_pieces nested_chains edges_of_polygons
-  edges_of_the_intersection chains_of_the_intersection connected_beside_pieces first_on_the_way
+  edges_of_the_intersection chains_of_the_intersection connected_beside_pieces leaving_a_polygon
   no_holes_in_the_intersection points_of_the_intersection.
 Import ListNotations.
 
@@ -177,39 +177,16 @@ Section TwoPolygons.
     Lemma a_step_stays (y z : vector) : (forall w, lies_on w (Segment y z) -> in_both w) -> in_region y [c] ->
       in_region z [c].
     Proof.
-      intros all in_. destruct (on_or_off z (region_edges [c])) as [on | free]; [now right | left].
-      set (u := minus y z).
-      assert (on_the_way : forall k, 0 <= k <= 1 -> in_both (moved_along z u k)).
-      { intros k range. apply all. exists (1 - k). unfold moved_along, u, minus. cbn [source target vx vy].
-        split; [lra |]. split; ring. }
-      assert (up_to : forall k, 0 <= k -> (forall j, 0 <= j -> j <= k -> off (moved_along z u j) (region_edges [c])) ->
-        winding_number (moved_along z u k) (region_edges [c]) = winding_number z (region_edges [c])).
-      { intros k low free_. symmetry.
-        apply (winding_number_along (Segment z (moved_along z u k)) _ (region_cycles [c])).
-        intros w (j & range & X & Y). apply (off_equal (moved_along z u (j * k))); [| apply free_; nra].
-        unfold moved_along in *. cbn [source target vx vy] in *. split; cbn [vx vy]; [rewrite X | rewrite Y]; ring. }
-      destruct (first_on_the_way z u (region_edges [c])) as [none | (k & t & T & [range on] & none)].
-      - rewrite <- (up_to 1 ltac:(lra)) by (intros j low high; apply none; lra).
-        assert (y_is : equal_vectors (moved_along z u 1) y)
-          by (unfold equal_vectors, moved_along, u, minus; cbn [vx vy]; split; ring).
-        assert (free_y : off y (region_edges [c])) by (apply (off_equal _ _ _ y_is), none; lra).
-        destruct y_is as [X Y]. rewrite (winding_number_of_equal _ y _ X Y).
-        destruct in_ as [some | (s & S & on)]; [exact some | destruct (free_y s S on)].
-      - assert (k_some : 0 < k).
-        { apply Qnot_le_lt. intros less. apply (free t T). apply (lies_on_equal (moved_along z u k)); [| exact on].
-          assert (k_is : k == 0) by lra. unfold equal_vectors, moved_along. cbn [vx vy]. rewrite k_is. split; ring. }
-        destruct (close_to_the_chain (moved_along z u k)) as (radius & R & near).
-        { exists t. rewrite <- one_chain. now split. }
-        destruct (some_small _ (eventually_and _ _ (small_steps_stay_within radius (moved_along z u k) (opposite u) R)
-          (eventually_below k k_some))) as (d & _ & close & d_some & less).
-        assert (w_is : equal_vectors (moved_along (moved_along z u k) (opposite u) d) (moved_along z u (k - d)))
-          by (unfold equal_vectors, moved_along, opposite; cbn [vx vy]; split; ring).
-        assert (in_w : in_region (moved_along z u (k - d)) [c]).
-        { apply near; [| apply on_the_way; lra]. destruct w_is as [X Y]. unfold within in *. rewrite X, Y in close.
-          exact close. }
-        rewrite <- (up_to (k - d) ltac:(lra)) by (intros j low high; apply none; lra).
-        destruct in_w as [some | (s & S & on_s)]; [exact some |].
-        destruct (none (k - d) ltac:(lra) ltac:(lra) s S on_s).
+      intros all in_. destruct (in_region_dec z [c]) as [| out]; [assumption | exfalso].
+      destruct (leaving_to_the_right c (all_counterclockwise c c_is_there) y z in_ out) as (k & e & range & E & on & _ &
+        gone).
+      rewrite one_chain in E. set (u := minus z y) in *.
+      destruct (close_to_the_chain (moved_along y u k)) as (radius & R & near); [now exists e |].
+      destruct (some_small _ (eventually_and _ _ (small_steps_stay_within radius (moved_along y u k) u R)
+        (eventually_below (1 - k) ltac:(lra)))) as (d & _ & close & d_some & less).
+      apply (gone (k + d) ltac:(lra)), near.
+      - unfold within, moved_along in *. cbn [vx vy] in *. lra.
+      - apply all. exists (k + d). unfold moved_along, u, minus. cbn [source target vx vy]. split; [lra |]. split; ring.
     Qed.
 
     Lemma a_path_stays (y z : vector) : connected_in in_both y z -> in_region y [c] -> in_region z [c].

@@ -231,14 +231,6 @@ Section Pieces.
     destruct (compare_points _ _); cbn [source target]; split; apply reduced_is_reduced.
   Qed.
 
-  Lemma pieces_are_in_order (e : segment) : In e (pieces_of segments) -> comes_first (source e) (target e).
-  Proof.
-    intros E. pose proof (pieces_are_long _ _ pieces_are_pieces e E) as long.
-    destruct (piece_is e E) as (s & piece & _ & _ & -> & _). unfold undirected in *.
-    compared_points (reduced_vector (source piece)) (reduced_vector (target piece)); cbn [source target] in *; trivial.
-    exfalso. apply long. destruct equal_points as [X Y]. unfold along, minus. cbn [source target vx vy]. split; lra.
-  Qed.
-
   Lemma no_vertex_is_inside (e f : segment) (v : vector) : In e (pieces_of segments) -> In f (pieces_of segments) ->
     v = source e \/ v = target e -> ~ strictly_inside v f.
   Proof.

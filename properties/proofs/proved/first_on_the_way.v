@@ -133,4 +133,14 @@ Section Way.
       assert (I : In l all) by (apply in_flat_map; exists s; split; [exact S | now apply looked_is]).
       specialize (least l I). lra.
   Qed.
+
+  (* Until then the winding number stays. *)
+  Lemma number_on_the_way (segments : list segment) (k : Q) : cycles segments -> 0 <= k ->
+    (forall j, 0 <= j -> j <= k -> off (at_ j) segments) ->
+    winding_number (at_ k) segments = winding_number a segments.
+  Proof.
+    intros closed low free. symmetry. apply (winding_number_along (Segment a (at_ k)) segments closed).
+    intros w (h & range & X & Y) s S on. apply (free (h * k) ltac:(nra) ltac:(nra) s S), (lies_on_equal w); [| exact on].
+    unfold at_, moved_along in *. cbn [source target vx vy] in *. split; cbn [vx vy]; [rewrite X | rewrite Y]; ring.
+  Qed.
 End Way.

@@ -51,13 +51,6 @@ Qed.
 
 Definition same_chain : forall a b : list vector, {a = b} + {a <> b} := list_eq_dec vector_dec.
 
-Lemma meet_in_ends_swapped (some others : list segment) : meet_in_ends_only some others ->
-  meet_in_ends_only others some.
-Proof.
-  intros meet p on_others on_some. destruct (meet p on_some on_others) as (s & S & at_end).
-  exists s. split; [| exact at_end]. apply in_app_iff. apply in_app_iff in S. tauto.
-Qed.
-
 Lemma number_of_chains (x : vector) (l : region) :
   winding_number x (region_edges l) = sum (map (fun a => winding_number x (edges a)) l).
 Proof.

@@ -2,14 +2,13 @@
 (* Theorem 4.2.14: for two simple polygons P and Q and x in general position, the winding number of the original
    convolution is the number of connected components of the intersection of P and -Q + x. Its chains are as many as
    their turning numbers add up to, since all are counterclockwise, and as many as the components
-   (components_of_the_intersection.v). Where x is off the original convolution, but not in general position, this is so
-   for all x in general position close by. *)
+   (components_of_the_intersection.v). *)
 From Coq Require Import QArith Qminmax Lqa ZArith Lia Bool List Permutation.
 From Oplus Require Import regions_and_sums simple_chain simple_chains_turn_once meeting_of_segments theorem_4_2_1
   turning_number replaced_segments lemma_4_2_13 size_of_valid_regions polygons_of_the_thesis connected_sets
   placed_collision reflected walks region_of_pieces neighbourhoods edges_of_the_intersection reflected_polygons
   boundary_of_the_intersection chains_of_the_intersection connected_beside_pieces points_of_the_intersection
-  components_of_the_intersection.
+  components_of_the_intersection components_of_near_sets components_stay.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -55,10 +54,7 @@ Proof.
         * right. exists (reflected x t). split; [now apply in_map | now apply on_reflected].
         * left. rewrite <- edges_of_placed, (winding_number_of_placed x z [q] free). exact some.
       + right. exists (reflected x t). split; [now apply in_map | now apply on_reflected]. }
-  rewrite placed_. split.
-  - intros (v & in_ & X & Y). apply (in_region_of_equal [q] v); [| exact in_]. unfold equal_vectors, minus in *.
-    cbn [vx vy] in *. split; lra.
-  - intros in_. exists (minus x z). split; [exact in_ |]. unfold equal_vectors, minus. cbn [vx vy]. split; ring.
+  now rewrite placed_, in_reflected_is.
 Qed.
 
 (* Theorem 4.2.14, for x in general position. *)
@@ -79,17 +75,9 @@ Proof.
   { intros chain C. apply (kept_chains_are_simple p b p_polygon b_polygon p_off b_off _ crossings r chain edges_are C).
     exact (chains_are_not_empty _ _ chain C). }
   exists (length r). split.
-  - destruct (components_are_the_chains p b p_polygon b_polygon p_off b_off r edges_are all_simple _ crossings)
-      as (points & long & in_ & all & apart_).
-    assert (same_ : forall z, in_both p b z <-> in_region z [p] /\ in_reflected x [q] z)
-      by (intros z; unfold in_both; now rewrite in_reflected_is_in_placed).
-    assert (paths : forall v w, connected_in (in_both p b) v w <->
-      connected_in (fun z => in_region z [p] /\ in_reflected x [q] z) v w).
-    { intros v w. split; apply connected_in_more; intros z; apply same_. }
-    exists points. split; [exact long |]. split; [intros v V; now apply same_, in_ |]. split.
-    + intros z Z. apply same_ in Z. destruct (all z Z) as (v & V & there). exists v. split; [exact V | now apply paths].
-    + clear - apart_ paths. induction apart_ as [| v l first_ _ IH]; constructor; [| exact IH].
-      rewrite Forall_forall in *. intros w W there. apply (first_ w W). now apply paths.
+  - apply (components_of_equal_sets (in_both p b)).
+    + intros z. unfold in_both. now rewrite in_reflected_is_in_placed.
+    + exact (components_are_the_chains p b p_polygon b_polygon p_off b_off r edges_are all_simple _ crossings).
   - rewrite number, turning_numbers_of_simple_chains by exact all_simple.
     assert (none : filter (fun chain => negb (is_counterclockwise chain)) r = []).
     { destruct (filter _ r) as [| c l] eqn:found; [reflexivity | exfalso].
@@ -101,21 +89,4 @@ Proof.
     { clear - none. induction r as [| c l IH]; [reflexivity |]. cbn [filter] in *.
       destruct (is_counterclockwise c); cbn [negb] in none; [now rewrite IH | discriminate]. }
     unfold outer_chains, holes, count. rewrite none, all_outer. cbn [length]. lia.
-Qed.
-
-(* And for all x in general position that are close to one off the original convolution. *)
-Corollary theorem_4_2_14_close_by (p q : list vector) (x : vector) : simple_polygon p -> simple_polygon q ->
-  off x (original_convolution [p] [q]) -> exists radius, 0 < radius /\
-    forall y, within radius x y -> off_vertex_edge_sum y [p] [q] ->
-      exists k, has_components (fun z => in_region z [p] /\ in_reflected y [q] z) k /\
-        winding_number x (original_convolution [p] [q]) = Z.of_nat k.
-Proof.
-  intros p_polygon q_polygon free.
-  assert (closed : cycles (original_convolution [p] [q])).
-  { apply replaced_segments_are_cycles; [exact (proj1 (simple_polygons_are_regions p p_polygon)) |
-      exact (proj1 (simple_polygons_are_regions q q_polygon))]. }
-  destruct (winding_number_near x _ closed free) as (radius & R & near). exists radius. split; [exact R |].
-  intros y close general.
-  destruct (theorem_4_2_14_in_general_position p q y p_polygon q_polygon general) as (k & components & number).
-  exists k. split; [exact components |]. now rewrite <- (proj2 (near y close)).
 Qed.

@@ -3,7 +3,7 @@
    on a kept piece, or these go round it; and from there one comes straight ahead to a kept piece, inside both. *)
 From Coq Require Import QArith Qminmax Lqa ZArith Lia Bool List Permutation.
 From Oplus Require Import regions_and_sums small_numbers simple_chain left_of_an_edge interiors_meet valid_components
-  first_edge_of_a_ray inside_a_corner coordinates polygons_of_the_thesis connected_sets beside_a_piece filling walks
+  inside_a_corner coordinates polygons_of_the_thesis connected_sets beside_a_piece filling first_on_the_way
   kept_pieces_go_round cut_pieces rule_of_sides region_of_pieces written_regions edges_of_polygons
   edges_of_the_intersection connected_beside_pieces no_holes_in_the_intersection.
 Import ListNotations.
@@ -126,29 +126,21 @@ Section TwoPolygons.
     { exists f, z. split; [exact F |]. split; [exact on |]. apply connected_with_itself;
       [exact in_both_of_equal | exact in_]. }
     pose proof (on_the_boundary_or_inside z in_ free) as one.
-    destruct (ray_to_a_segment kept kept z free (incl_refl _)) as (u & k & all_avoided & K & on); [lia |].
-    destruct (ray_meets_one_first z u kept k 1 free all_avoided K ltac:(lra) on) as (s & far & part & S & far_some &
-      low &
-      high & _ & there & nothing).
-    set (w := moved_along z u far) in *. exists s, w. split; [exact S |].
-    assert (on_w : lies_on w s).
-    { exists part. destruct there as [X Y]. unfold inside_segment in *. cbn [vx vy] in *. split; [lra |].
-      rewrite X, Y. split; ring. }
-    split; [exact on_w |]. apply connected_by_a_step. intros p on_p.
-    destruct (on_or_off p kept) as [(f & F & on_f) | free_p]; [exact (kept_is_in_both f p F on_f) |].
-    assert (same_ : winding_number z kept = winding_number p kept).
-    { apply (winding_number_along (Segment z p) kept kept_is_closed). intros v on_v t T on_t.
-      pose proof (nothing t v T (part_of_a_step z w p v on_p on_v) on_t) as [vx_ vy_].
-      (* p would be w, too *)
-      apply (free_p s S). apply (lies_on_equal w); [| exact on_w].
-      destruct on_p as (i & i_range & px & py), on_v as (j & j_range & vx' & vy'). cbn [source target] in *.
-      assert (dx : (1 - j * i) * (vx w - vx z) == 0) by (rewrite px in vx'; rewrite vx' in vx_; lra).
-      assert (dy : (1 - j * i) * (vy w - vy z) == 0) by (rewrite py in vy'; rewrite vy' in vy_; lra).
-      destruct (Qeq_dec i 1) as [i_is | less]; [rewrite i_is in px, py; split; lra |].
-      assert (some : ~ 1 - j * i == 0) by (intros none; apply less; nra).
-      exfalso. apply (free s S). apply (lies_on_equal w); [| exact on_w].
-      assert (vx w - vx z == 0) by (apply (Qmult_inj_l _ _ _ some); lra).
-      assert (vy w - vy z == 0) by (apply (Qmult_inj_l _ _ _ some); lra). split; lra. }
-    rewrite one in same_. symmetry in same_. apply number_of_kept in same_. split; left; apply same_.
+    destruct (nothing_far_away_is_met kept) as (limit & far). set (m := Vector (limit + 1) 0).
+    destruct (far m) as [_ none]; [cbn [m vx]; lra |]. set (u := minus m z).
+    destruct (first_on_the_way z u kept) as [all | (k & t & T & [range on] & before)].
+    - exfalso. rewrite <- (number_on_the_way z u kept 1 kept_is_closed ltac:(lra)) in one
+        by (intros j low high; apply all; lra).
+      rewrite (winding_number_of_equal _ m) in one; [lia | |]; unfold moved_along, u, minus; cbn [vx vy]; ring.
+    - exists t, (moved_along z u k). split; [exact T |]. split; [exact on |]. apply connected_by_a_step.
+      intros p (h & h_range & X & Y). cbn [source target] in X, Y.
+      apply (in_both_of_equal (moved_along z u (h * k))).
+      { unfold equal_vectors, moved_along in *. cbn [vx vy] in *. rewrite X, Y. split; ring. }
+      destruct (Qlt_le_dec (h * k) k) as [less | last].
+      + rewrite <- (number_on_the_way z u kept (h * k) kept_is_closed ltac:(nra)) in one
+          by (intros j low high; apply before; lra).
+        apply number_of_kept in one. split; left; apply one.
+      + apply (kept_is_in_both t _ T), (lies_on_equal (moved_along z u k)); [| exact on].
+        assert (there : h * k == k) by nra. unfold equal_vectors, moved_along. cbn [vx vy]. rewrite there. split; ring.
   Qed.
 End TwoPolygons.

@@ -74,14 +74,6 @@ Proof.
   destruct (negative_spec (vx p - vx (point_at_height s (vy p)))); [split; [reflexivity | lra] | now intros []].
 Qed.
 
-Lemma ahead_is_crossed (p : vector) (s : segment) :
-  spans s (vy p) = true -> vx p < vx (point_at_height s (vy p)) -> signed_crossing p s <> 0%Z.
-Proof.
-  intros spanning ahead_. rewrite signed_crossing_by_height, spanning. cbn [andb].
-  destruct (negative_spec (vx p - vx (point_at_height s (vy p)))); [| lra].
-  now destruct (at_most (vy (source s)) (vy p)).
-Qed.
-
 (* Of the segments that the ray crosses the first. *)
 Lemma first_crossed (p : vector) (segments : list segment) :
   (forall s, In s segments -> signed_crossing p s = 0%Z) \/

@@ -41,15 +41,6 @@ Proof.
   exact (meet earlier s later t w edges_are J (strictly_inside_lies_on w s inside_) on).
 Qed.
 
-Lemma right_value_of_the_middle (r : region) (s : segment) :
-  edges_meet_in_vertices r -> In s (region_edges r) -> nonzero (along s) -> clear_edge r s ->
-  value_to_the_right (region_edges r) s (point_at s (1 # 2))
-    (winding_number_shifted (right_of_middle s) (region_edges r)).
-Proof.
-  intros meet I long clear_. apply value_to_the_right_of_the_middle; trivial; [apply region_cycles |].
-  now apply clear_edge_is_met_only_along.
-Qed.
-
 (* Up to the first edge to the right, the winding number is the same. *)
 Lemma same_before_the_first_hit (x z : vector) (s : segment) (segments : list segment) :
   vy z = vy x -> vx x <= vx z -> vx z < vx (point_at_height s (vy x)) ->

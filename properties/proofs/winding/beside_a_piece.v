@@ -35,9 +35,6 @@ Proof. intros range. exists k. split; [exact range |]. split; reflexivity. Qed.
 Lemma strictly_inside_at (s : segment) (k : Q) : 0 < k < 1 -> strictly_inside (point_at s k) s.
 Proof. intros range. exists k. split; [exact range |]. split; reflexivity. Qed.
 
-Lemma point_at_is_on_the_line (s : segment) (k : Q) : area s (point_at s k) == 0.
-Proof. unfold point_at. by_coordinates. Qed.
-
 Lemma right_step_is_right (s : segment) (w n : vector) (e : Q) :
   area s w == 0 -> 0 < cross (along s) n -> 0 < e -> area s (moved_along w n (- e)) < 0.
 Proof.

@@ -26,7 +26,7 @@
 namespace oplus {
 namespace {
 
-constexpr std::size_t pairs = 2000, texts = 6000;
+constexpr std::size_t pairs = 4000, texts = 6000;
 
 /// Runs input after input. One that is wrong throws, crashes or does not end.
 using Inputs = std::function<void(std::size_t)>;
