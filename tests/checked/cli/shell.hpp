@@ -44,9 +44,10 @@ class Shell : public testing::Test {
  protected:
   Shell() { std::filesystem::create_directory(place_ / "folder"); }
 
-  /// Runs a bash script in which the program is called oplus. Nothing is on standard input. Where the
-  /// script is one plain command of oplus that does not ask for that, the program's function is called
-  /// instead, without bash and without a process: that takes a tenth of the time.
+  /// Runs a bash script in which the program is called oplus. Nothing is on standard input. A pipe fails
+  /// if one of its commands does. Where the script is one plain command of oplus that asks for none of
+  /// that, the program's function is called instead, without bash and without a process: that takes a
+  /// tenth of the time.
   Ran run(const std::string& script) const {
     std::istringstream blanks_apart(script);
     const std::vector<std::string> words{std::istream_iterator<std::string>(blanks_apart), {}};
@@ -107,7 +108,7 @@ class Shell : public testing::Test {
   Ran run_by_bash(const std::string& script) const {
     const std::filesystem::path program = program_beside("oplus");
     put("../script", "cd '" + folder().string() + "'\nPATH='" + program.parent_path().string() +
-                         "':$PATH\n" + script + "\n");
+                         "':$PATH\nset -o pipefail\n" + script + "\n");
     const EndedProcess ended =
         run_program({"bash", (place_ / "script").string()}, {.is_quiet = true});
     const bool has_exited = ended.how == EndedProcess::How::exited;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <optional>
+#include <map>
 
 #include "properties/runner/source_tree.hpp"
 #include "tests/checked/cli/shell.hpp"
@@ -7,39 +7,31 @@
 namespace oplus {
 namespace {
 
-/// The files of both folders.
+/// All files in folders of that name.
 std::set<std::filesystem::path> transcripts() {
   std::set<std::filesystem::path> files;
-  for (const std::string folder : {"tests/checked/cli", "tests/properties"})
-    for (const auto& entry :
-         std::filesystem::directory_iterator(source_root() / folder / "transcripts"))
-      files.insert(entry.path());
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(source_root() / "tests"))
+    if (entry.path().parent_path().filename() == "transcripts") files.insert(entry.path());
   return files;
 }
 
-/// What one of the streams of a command should be: all of it, or some of its parts.
-struct Expected {
-  std::string whole;
-  std::vector<std::string> parts;
-};
+using Lines = std::vector<std::string>;
 
 struct Step {
-  std::size_t line;     ///< where it is in the transcript
-  bool is_file;         ///< a file to write
+  std::size_t number;   ///< of its line in the transcript
   std::string subject;  ///< the file's name, or a script for Shell::run
-  Expected out, err;    ///< out.whole is the content of a file
-  std::optional<std::string> refusal;
-  int exit_code = 0;
+  bool is_file;
+  std::map<std::string, Lines> lines;  ///< by their mark
 };
 
-/// Reads lines of a mark, a blank and a text:
+/// A transcript has lines of a mark, a blank and a text:
 ///   #        a comment
 ///   file     a file of that name; `>` gives its lines
 ///   $        a command; the lines below say what is expected of it:
-///   >   !    a line of standard output, of standard error; where none is given, it is empty
-///   >~  !~   a part of it; then nothing is expected of the rest
+///   >   !    all lines of standard output, of standard error; where none is given, it is empty
+///   >~  !~   or parts of it
 ///   exit     its exit code, where that is not 0
-///   refused  a refusal with this part of the message (Shell::expect_refusal)
+///   refused  or, alone, a refusal with this part of the message (Shell::expect_refusal)
 std::vector<Step> steps_of(const std::filesystem::path& transcript) {
   std::vector<Step> steps;
   std::ifstream in(transcript);
@@ -49,51 +41,62 @@ std::vector<Step> steps_of(const std::filesystem::path& transcript) {
     const std::string mark = line.substr(0, line.find(' '));
     const std::string text = mark == line ? "" : line.substr(mark.size() + 1);
     if (line.empty() || mark == "#") continue;
-    if (mark == "$" || mark == "file") {
-      steps.push_back({number, mark == "file", text, {}, {}, {}});
-      continue;
-    }
-    Step& step = steps.at(steps.size() - 1);
-    if (mark == ">")
-      step.out.whole += text + '\n';
-    else if (mark == "!")
-      step.err.whole += text + '\n';
-    else if (mark == ">~")
-      step.out.parts.push_back(text);
-    else if (mark == "!~")
-      step.err.parts.push_back(text);
-    else if (mark == "exit")
-      step.exit_code = std::stoi(text);
-    else if (mark == "refused")
-      step.refusal = text;
+    if (mark == "$" || mark == "file")
+      steps.push_back({number, text, mark == "file", {}});
     else
-      ADD_FAILURE() << transcript << ':' << number << ": unknown mark " << mark;
+      steps.at(steps.size() - 1).lines[mark].push_back(text);
   }
   return steps;
 }
 
-void expect_text(const Expected& expected, const std::string& text) {
-  for (const std::string& part : expected.parts) EXPECT_TRUE(has(text, part));
-  if (expected.parts.empty()) EXPECT_EQ(text, expected.whole);
+/// Whether it has unknown marks, one beside which another would not be looked at, or an empty part.
+bool is_unclear(const Step& step) {
+  std::string marks;
+  for (const auto& [mark, lines] : step.lines) {
+    marks += mark + ' ';
+    const bool is_whole = mark == ">" || mark == "!";
+    if (!is_whole && std::find(lines.begin(), lines.end(), "") != lines.end()) return true;
+    if ((mark == "exit" || mark == "refused") && lines.size() > 1) return true;
+  }
+  const std::regex clear(step.is_file ? "(> )?" : "(!~? )?(>~? )?(exit )?|refused ");
+  return !std::regex_match(marks, clear);
+}
+
+std::string text_of(const Lines& lines) {
+  std::string text;
+  for (const std::string& line : lines) text += line + '\n';
+  return text;
 }
 
 class Transcript : public ShellWithRegions,
-                   public testing::WithParamInterface<std::filesystem::path> {};
+                   public testing::WithParamInterface<std::filesystem::path> {
+ protected:
+  void take(Step step) const {
+    ASSERT_FALSE(is_unclear(step)) << "it is unclear what is expected";
+    if (step.is_file) {
+      put(step.subject, text_of(step.lines[">"]));
+    } else if (step.lines.contains("refused")) {
+      expect_refusal(step.subject, step.lines["refused"][0]);
+    } else {
+      const int exit_code = step.lines.contains("exit") ? std::stoi(step.lines["exit"][0]) : 0;
+      const Ran ran = run(step.subject, exit_code);
+      for (const auto& [mark, text] : {std::pair(">", ran.out), {"!", ran.err}}) {
+        const Lines& parts = step.lines[mark + std::string("~")];
+        for (const std::string& part : parts) EXPECT_TRUE(has(text, part));
+        if (parts.empty()) {
+          EXPECT_EQ(text, text_of(step.lines[mark]));
+        }
+      }
+    }
+  }
+};
 
-TEST_P(Transcript, is_what_the_program_prints) {
+TEST_P(Transcript, is_what_the_programs_do) {
   const std::vector<Step> steps = steps_of(GetParam());
   EXPECT_GT(steps.size(), 3U);
   for (const Step& step : steps) {
-    SCOPED_TRACE(GetParam().string() + ':' + std::to_string(step.line) + ": " + step.subject);
-    if (step.is_file) {
-      put(step.subject, step.out.whole);
-    } else if (step.refusal) {
-      expect_refusal(step.subject, *step.refusal);
-    } else {
-      const Ran ran = run(step.subject, step.exit_code);
-      expect_text(step.out, ran.out);
-      expect_text(step.err, ran.err);
-    }
+    SCOPED_TRACE(GetParam().string() + ':' + std::to_string(step.number) + ": " + step.subject);
+    take(step);
   }
 }
 
