@@ -70,7 +70,8 @@ class Shell : public testing::Test {
   std::filesystem::path folder() const { return place_ / "folder"; }
 
   void put(const std::string& file, const std::string& text) const {
-    std::ofstream(folder() / file, std::ios::binary) << text;
+    EXPECT_TRUE(static_cast<bool>(std::ofstream(folder() / file, std::ios::binary) << text))
+        << file;
   }
 
   std::string content(const std::string& file) const {

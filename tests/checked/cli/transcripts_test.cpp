@@ -32,11 +32,10 @@ struct Step {
 ///   >~  !~   or parts of it
 ///   exit     its exit code, where that is not 0
 ///   refused  or, alone, a refusal with this part of the message (Shell::expect_refusal)
-std::vector<Step> steps_of(const std::filesystem::path& transcript) {
+std::vector<Step> steps_of(std::istream&& transcript) {
   std::vector<Step> steps;
-  std::ifstream in(transcript);
   std::size_t number = 0;
-  for (std::string line; std::getline(in, line);) {
+  for (std::string line; std::getline(transcript, line);) {
     ++number;
     const std::string mark = line.substr(0, line.find(' '));
     const std::string text = mark == line ? "" : line.substr(mark.size() + 1);
@@ -84,7 +83,7 @@ class Transcript : public ShellWithRegions,
         const Lines& parts = step.lines[mark + std::string("~")];
         for (const std::string& part : parts) EXPECT_TRUE(has(text, part));
         if (parts.empty()) {
-          EXPECT_EQ(text, text_of(step.lines[mark]));
+          EXPECT_EQ(text, text_of(step.lines[mark])) << "of the mark " << mark;
         }
       }
     }
@@ -92,12 +91,22 @@ class Transcript : public ShellWithRegions,
 };
 
 TEST_P(Transcript, is_what_the_programs_do) {
-  const std::vector<Step> steps = steps_of(GetParam());
+  const std::vector<Step> steps = steps_of(std::ifstream(GetParam()));
   EXPECT_GT(steps.size(), 3U);
   for (const Step& step : steps) {
     SCOPED_TRACE(GetParam().string() + ':' + std::to_string(step.number) + ": " + step.subject);
     take(step);
   }
+}
+
+TEST(Transcripts, are_refused_where_they_are_unclear) {
+  for (const std::string marks :
+       {">! a", ">~", ">~ ", "!~", "> a\n>~ a", "! a\n!~ a", "exit 1\nexit 2", "exit", "refused",
+        "refused a\nrefused b", "exit 2\nrefused a", "! a\nrefused a"})
+    EXPECT_TRUE(is_unclear(steps_of(std::istringstream("$ true\n" + marks)).at(0))) << marks;
+  for (const std::string mark : {"!", "exit 0", ">~ a", "refused a"})
+    EXPECT_TRUE(is_unclear(steps_of(std::istringstream("file a\n" + mark)).at(0))) << mark;
+  EXPECT_THROW(steps_of(std::istringstream("> a\n$ true")), std::out_of_range);
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, Transcript, testing::ValuesIn(transcripts()),
