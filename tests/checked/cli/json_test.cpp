@@ -43,7 +43,6 @@ TEST_F(JsonAnswers, gen_list) {
     EXPECT_TRUE(has(text, " " + family.at("what").get<std::string>() + "\n"));
     EXPECT_GE(family.at("typical"), family.at("smallest"));
   }
-  expect_refusal("oplus gen star --json", "--list");
 }
 
 TEST_F(JsonAnswers, statistics_of_sum_are_those_of_the_text) {
@@ -91,20 +90,6 @@ TEST_F(JsonAnswers, numbers_are_exact) {
       answer("oplus sum long.wkt long.wkt -o sum.wkt --stats-json -").at("sum").at("area");
   EXPECT_GT(long_area.get<std::string>().size(), 140U);  // --stats rounds such a one
   EXPECT_EQ(answer("oplus compare third.wkt third.wkt --json").at("first").at("area"), "1/18");
-}
-
-TEST_F(JsonAnswers, of_oplus_check_diff_are_its_report) {
-  const Ran ran = run("oplus-check diff --pair frame.wkt third.wkt --json", 0);
-  EXPECT_EQ(ran.out, content("oplus-findings/diff.json"));
-  EXPECT_EQ(Json::parse(ran.out).at("all").at("ran"), 1);
-}
-
-TEST_F(JsonAnswers, of_oplus_check_exhaustive_are_its_report) {
-  const Ran ran =
-      run("oplus-check exhaustive --grid 2 --vertices 3 --json --report report.json", 0);
-  EXPECT_EQ(ran.out, content("report.json"));
-  const Json report = Json::parse(ran.out);
-  EXPECT_GT(report.at("pairs"), 0);
 }
 
 TEST_F(JsonAnswers, of_oplus_check_properties) {

@@ -27,60 +27,6 @@ class DiffCommand : public Shell {
   }
 };
 
-TEST_F(DiffCommand, compares_pairs_and_says_what_ran_and_where_the_report_is) {
-  const Ran ran = diff("--pair frame.dat square.dat --pair square.dat square.dat", 0);
-  EXPECT_TRUE(has(ran.out,
-                  "2 cases run, each closed and open, 0 skipped, 0 with a "
-                  "disagreement\n"
-                  "report: oplus-findings/diff.json\n"));
-  const auto report = nlohmann::json::parse(content("oplus-findings/diff.json"));
-  EXPECT_EQ(report.at("all").at("ran"), 2);
-  EXPECT_EQ(report.at("all").at("holes_in_sum"), 1);
-  EXPECT_EQ(report.at("campaign").at("engines"),
-            nlohmann::json({"slide", "rca", "loops", "winding", "certified", "proved"}));
-  EXPECT_EQ(report.at("campaign").at("hole_test"), "all");
-}
-
-TEST_F(DiffCommand, compares_with_the_judge_that_is_named) {
-  const std::string pairs = "--family tight --cases 6 --engine slide --report ";
-  const Ran by_oracle = diff(pairs + "oracle.json", 0);
-  const Ran by_convex_parts = diff(pairs + "convex.json --judge convex-parts", 0);
-  EXPECT_TRUE(has(by_oracle.out, "compared with the oracle:\n"));
-  EXPECT_TRUE(has(by_convex_parts.out, "compared with the sum of convex parts:\n"));
-  const auto one = nlohmann::json::parse(content("oracle.json"));
-  const auto other = nlohmann::json::parse(content("convex.json"));
-  EXPECT_EQ(one.at("digest"), other.at("digest"));
-  EXPECT_EQ(one.at("campaign").at("judge"), "oracle");
-  EXPECT_EQ(other.at("campaign").at("judge"), "convex-parts");
-  EXPECT_LT(one.at("campaign").at("largest"), other.at("campaign").at("largest"));
-}
-
-TEST_F(DiffCommand, compares_an_operation_with_its_definition) {
-  const Ran ran = diff(
-      "--operation ifp --pair frame.dat square.dat --family tight --cases 10 --engine slide --engine "
-      "loops",
-      0);
-  EXPECT_TRUE(has(ran.out, "compared with the definition of ifp:\n"));
-  EXPECT_TRUE(
-      has(ran.out, "11 cases run, one value of ifp each, 0 skipped, 0 with a disagreement\n"));
-  const auto report = nlohmann::json::parse(content("oplus-findings/diff.json"));
-  EXPECT_EQ(report.at("campaign").at("operation"), "ifp");
-  // The square fits into the frame exactly, from corner to corner.
-  EXPECT_EQ(report.at("sources").at(0).at("counts").at("values"), nlohmann::json({{"edges", 1}}));
-  EXPECT_EQ(report.at("all").at("sums").at("passed"), 11 * 2);
-}
-
-TEST_F(DiffCommand, compares_operations_of_unbounded_regions) {
-  put("outside.dat", "0\n1\n4\n0 0\n0 4\n4 4\n4 0\n");
-  for (const char* operation : {"nfp", "ifp", "erode", "open", "close", "complement", "union",
-                                "closed-sum", "rounded-sum"}) {
-    diff(std::string("--pair outside.dat square.dat --engine slide --operation ") + operation, 0);
-    const auto report = nlohmann::json::parse(content("oplus-findings/diff.json"));
-    EXPECT_EQ(report.at("all").at("values").contains("unbounded"),
-              operation != std::string("complement"));
-  }
-}
-
 TEST_F(DiffCommand, finds_an_operation_by_a_wrong_sum_and_reproduces_it) {
   for (const char* pair : {"square.dat frame.dat", "outside.dat square.dat"}) {
     put("outside.dat", "0\n1\n4\n0 0\n0 4\n4 4\n4 0\n");

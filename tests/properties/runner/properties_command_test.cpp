@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "properties/runner/properties_command.hpp"
 
-#include <cstdlib>
 #include <sstream>
 
 #include "properties/runner/finding.hpp"
@@ -120,20 +119,6 @@ TEST_F(PropertiesCommand, ProgramTriesAPairFromFiles) {
                              " passed, 0 failed\n"))
       << text;
   oplus_check("properties --cases 5" + pair, 2);
-}
-
-/// RC_PARAMS lets RapidCheck skip a run, cut it short, draw other cases or replay a stale failure.
-TEST_F(PropertiesCommand, ProgramIgnoresTheEnvironmentVariablesOfRapidCheck) {
-  const std::string run = "properties --theorem fact-convolution-size --cases 60 --seed 3";
-  const std::string text = oplus_check(run, 0);
-  EXPECT_TRUE(has(text, "60 cases run"));
-  // The second string is what RapidCheck itself prints after a failure of some other test.
-  for (const char* params : {"max_success=0", "reproduce=BwyehNmchxWZhNEIwdWZyAiMysGcFNHd",
-                             "max_size=1 seed=5", "noshrinking=1", "reproduce=", "no parameters"}) {
-    ASSERT_EQ(setenv("RC_PARAMS", params, 1), 0);
-    EXPECT_EQ(oplus_check(run, 0), text) << params;
-    unsetenv("RC_PARAMS");
-  }
 }
 
 TEST_F(PropertiesCommand, ProgramUnderstandsTheLineThatReplays) {
