@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <nlohmann/json.hpp>
-
 #include "properties/runner/source_tree.hpp"
 #include "tests/checked/cli/shell.hpp"
 
@@ -32,29 +30,6 @@ TEST_F(Sum, every_engine_finds_the_same) {
             << command << hole_test;
     }
   }
-}
-
-TEST_F(Sum, origins_are_sums_along_the_edge) {
-  run("oplus sum square.wkt triangle.dat --origins o.json");
-  const auto list = nlohmann::json::parse(content("o.json"));
-  ASSERT_EQ(list.size(), 5U);
-  // Along the bottom run the bottom of each summand, from the corner of the other.
-  const auto& bottom = list.at(0);
-  EXPECT_EQ(bottom.at("kind"), "outer");
-  EXPECT_EQ(bottom.at("from"), nlohmann::json({"0", "0"}));
-  EXPECT_EQ(bottom.at("to"), nlohmann::json({"2", "0"}));
-  ASSERT_EQ(bottom.at("origins").size(), 2U);
-  // The slanted edge is the triangle's, at the square's corner (1, 1).
-  const auto& slanted = list.at(2);
-  EXPECT_EQ(slanted.at("from"), nlohmann::json({"2", "1"}));
-  ASSERT_EQ(slanted.at("origins").size(), 1U);
-  const auto& origin = slanted.at("origins").at(0);
-  EXPECT_EQ(
-      origin.at("edge"),
-      nlohmann::json(
-          {{"of", "Q"}, {"chain", 0}, {"leaves", 1}, {"from", {"1", "0"}}, {"to", {"0", "1/3"}}}));
-  EXPECT_EQ(origin.at("vertex"),
-            nlohmann::json({{"of", "P"}, {"chain", 0}, {"index", 2}, {"at", {"1", "1"}}}));
 }
 
 TEST_F(Sum, stats_show_the_published_arrangement_sizes) {
