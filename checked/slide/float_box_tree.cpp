@@ -71,8 +71,9 @@ template <typename Items, typename BoxOf>
 std::size_t side_of_most_spread(const Items& items, const BoxOf& box_of) {
   FloatBox low = box_of(items[0]), high = low;
   for (const auto& item : items) {
-    low = std::experimental::min(low, box_of(item));
-    high = std::experimental::max(high, box_of(item));
+    const FloatBox& box = box_of(item);
+    low = around(low, box);
+    high = high < box ? box : high;
   }
   std::size_t side = 0;
   for (std::size_t other = 1; other < 4; ++other)

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <experimental/simd>
 #include <span>
 #include <vector>
 
@@ -13,25 +12,28 @@ namespace oplus::slide {
 /// Axis-parallel, around what it stands for: the smallest x and y, then the negated largest ones. So
 /// the sum of two boxes is the sum of these numbers, and a point is in a box where each of them is at
 /// most that of the point.
-using FloatBox = std::experimental::simd<float, std::experimental::simd_abi::deduce_t<float, 4>>;
+///
+/// A vector of the compiler's, whose operators work on all four numbers at once. With plain loops in their
+/// place a sum of two stars of 500 vertices takes 1.35 times as long.
+typedef float FloatBox __attribute__((vector_size(16)));
 
 inline FloatBox box_of(float low_x, float low_y, float minus_high_x, float minus_high_y) {
-  const float numbers[] = {low_x, low_y, minus_high_x, minus_high_y};
-  return FloatBox(numbers, std::experimental::element_aligned);
+  return FloatBox{low_x, low_y, minus_high_x, minus_high_y};
 }
 
 /// The smallest box with such numbers around two points.
 FloatBox box_around(double ax, double ay, double bx, double by);
 
 /// The smallest box around two.
-inline FloatBox around(const FloatBox& a, const FloatBox& b) {
-  return std::experimental::min(a, b);
-}
+inline FloatBox around(const FloatBox& a, const FloatBox& b) { return a < b ? a : b; }
 
 /// Whether a point, or a box that is given by its smallest and largest coordinates the other way
 /// round, has something in common with a box.
 [[gnu::always_inline]] inline bool contains(const FloatBox& box, const FloatBox& point) {
-  return std::experimental::all_of(box <= point);
+  // Lanes of which all bits are set, or none; as halves they are or-ed in the fewest steps.
+  typedef std::int64_t Halves __attribute__((vector_size(16)));
+  const Halves outside = reinterpret_cast<Halves>(box > point);
+  return (outside[0] | outside[1]) == 0;
 }
 
 /// A point in doubles, each off by less than `error`. (NearPoint of near_point.hpp knows its exact point, too.)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "reference/arithmetic/interval.hpp"
 
+#include <cstdlib>
+
 namespace oplus {
 
 namespace {
@@ -17,6 +19,22 @@ bool is_double(const Rational& value) {
          size - mpz_scan1(numerator, 0) <= 53;
 }
 
+/// The sign of a b - c d, by integers: the std::fma of MinGW-w64 10 rounds twice. Requires: the doubles are
+/// finite, their products are not 0, and differ by less than a thousandth.
+int sign_of_small_difference(double a, double b, double c, double d) {
+  __extension__ using Product = __int128;
+  int exponent = 0;  // of a b, less that of c d
+  const auto mantissa = [&](double value, int sign) -> Product {
+    int of_value = 0;
+    const double part = std::frexp(value, &of_value);
+    exponent += sign * of_value;
+    return static_cast<std::int64_t>(part * 0x1p53);
+  };
+  Product left = mantissa(a, 1) * mantissa(b, 1), right = mantissa(c, -1) * mantissa(d, -1);
+  (exponent > 0 ? left : right) <<= std::abs(exponent);  // by 2 at most
+  return (left > right) - (left < right);
+}
+
 }  // namespace
 
 Interval interval(const Rational& value) {
@@ -30,7 +48,8 @@ Interval interval(const Rational& value) {
       if ((parts & (parts - 1)) == 0) return {near, near};
       // In lowest terms it is no double, and the remainder tells on which side of the quotient it is.
       const Interval both = outward(near, near);
-      return std::fma(near, d, -n) > 0 ? Interval{both.low, near} : Interval{near, both.high};
+      return sign_of_small_difference(near, d, n, 1) > 0 ? Interval{both.low, near}
+                                                         : Interval{near, both.high};
     }
   }
   const double near = value.get_d();  // rounded towards zero
@@ -46,11 +65,8 @@ std::optional<int> sign_of_cross(const IntervalPoint& u, const IntervalPoint& v)
     const double left = u.x.low * v.y.low, right = u.y.low * v.x.low;
     if (left != right) return left > right ? 1 : -1;
     if (left == 0 && (u.x.low == 0 || v.y.low == 0) && (u.y.low == 0 || v.x.low == 0)) return 0;
-    if (std::abs(left) > 0x1p-900 && std::abs(left) <= DBL_MAX) {
-      // What rounding took away is a double.
-      const double more = std::fma(u.x.low, v.y.low, -left) - std::fma(u.y.low, v.x.low, -right);
-      return (more > 0) - (more < 0);
-    }
+    if (std::abs(left) > 0x1p-900 && std::abs(left) <= DBL_MAX)
+      return sign_of_small_difference(u.x.low, v.y.low, u.y.low, v.x.low);
   }
   return sign(cross(u, v));
 }

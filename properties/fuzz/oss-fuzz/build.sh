@@ -1,7 +1,7 @@
 #!/bin/bash -eu
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Called by OSS-Fuzz with SRC, OUT, WORK, CC, CXX, CFLAGS, CXXFLAGS and LIB_FUZZING_ENGINE.
-# GMP's C++ library is the distribution's, hence libstdc++; so is <experimental/simd>.
+# GMP's C++ library is the distribution's, hence libstdc++.
 flags="${CXXFLAGS/-stdlib=libc++/} -fno-sanitize=vptr,null,alignment,object-size"
 cmake -S "$SRC/oplus" -B "$WORK/build" -G Ninja -DOPLUS_FUZZ=ON -DOPLUS_CONTRACTS=ON \
   -DCMAKE_CXX_COMPILER="$CXX" -DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_FLAGS="$flags" \

@@ -18,7 +18,7 @@ using AllNumbers = testing::Types<SmallNumbers, WideNumbers, AnyNumbers, Rationa
 template <typename Value>
 mpz_class integer(const Value& value) {
   if constexpr (std::is_same_v<Value, std::int64_t>)
-    return {static_cast<long>(value)};
+    return mpz_class(std::to_string(value));
   else if constexpr (std::is_same_v<Value, WideNumbers::Value>)
     return rational(value).get_num();
   else
@@ -29,7 +29,7 @@ mpz_class integer(const Value& value) {
 template <typename Numbers>
 typename Numbers::Value value(const mpz_class& integer) {
   if constexpr (is_small<Numbers>)
-    return integer.get_si();
+    return std::stoll(integer.get_str());
   else if constexpr (is_wide<Numbers>)
     return static_cast<WideNumbers::Value>(FixedInteger<256>(integer.get_str()));
   else
@@ -56,7 +56,7 @@ inline mpz_class odd_number(Random& random, unsigned of_bits) {
   mpz_class number = 1;
   while (mpz_sizeinbase(number.get_mpz_t(), 2) < of_bits)
     number = (number << 16) + uniform(random, 1, 0xffff);
-  return (number >> (mpz_sizeinbase(number.get_mpz_t(), 2) - of_bits)) | 1;
+  return (number >> static_cast<mp_bitcnt_t>(mpz_sizeinbase(number.get_mpz_t(), 2) - of_bits)) | 1;
 }
 
 /// From one point to another. Requires: integer coordinates.

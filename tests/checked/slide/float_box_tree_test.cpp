@@ -111,7 +111,7 @@ std::vector<FloatBox> some_boxes(std::uint32_t count) {
   return boxes;
 }
 
-bool same(const FloatBox& a, const FloatBox& b) { return std::experimental::all_of(a == b); }
+bool same(const FloatBox& a, const FloatBox& b) { return contains(a, b) && contains(b, a); }
 
 /// Visits the leaves under a node in order. Returns the number of levels.
 std::size_t walk(const FloatBoxTree& tree, std::uint32_t node, std::vector<std::uint32_t>& leaves) {

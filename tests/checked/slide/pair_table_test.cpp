@@ -13,10 +13,10 @@ namespace oplus::slide {
 namespace {
 
 struct Edge {
-  long x, y, dx, dy;
+  std::int64_t x, y, dx, dy;
 
   NearSegment near() const {
-    const auto rounded = [](long value) { return static_cast<double>(value); };
+    const auto rounded = [](std::int64_t value) { return static_cast<double>(value); };
     return {rounded(x), rounded(y), rounded(dx), rounded(dy)};
   }
 };
@@ -25,7 +25,7 @@ using Edges = std::vector<Edge>;
 
 Edge random_edge(Random& random, int size) {
   const auto number = [&] { return uniform(random, -size, size); };
-  const long x = number(), y = number(), dx = number(), dy = number();
+  const std::int64_t x = number(), y = number(), dx = number(), dy = number();
   return {x, y, dx, dy};
 }
 
@@ -42,12 +42,12 @@ std::vector<NearSegment> near(const Edges& edges) {
 }
 
 /// Whether the segment is nearer than the margins to both strips, in integers.
-bool is_near(const Edge& s, const Edge& e, const Edge& f, long across, long along) {
-  const long x = 2 * (s.x - e.x - f.x) + s.dx - e.dx - f.dx;
-  const long y = 2 * (s.y - e.y - f.y) + s.dy - e.dy - f.dy;
-  const long area = std::abs(e.dx * f.dy - e.dy * f.dx);
+bool is_near(const Edge& s, const Edge& e, const Edge& f, std::int64_t across, std::int64_t along) {
+  const std::int64_t x = 2 * (s.x - e.x - f.x) + s.dx - e.dx - f.dx;
+  const std::int64_t y = 2 * (s.y - e.y - f.y) + s.dy - e.dy - f.dy;
+  const std::int64_t area = std::abs(e.dx * f.dy - e.dy * f.dx);
   const auto is_near_strip = [&](const Edge& side) {
-    const long slope = s.dx * side.dy - s.dy * side.dx;
+    const std::int64_t slope = s.dx * side.dy - s.dy * side.dx;
     return std::abs(x * side.dy - y * side.dx) <
            area + (slope == 0 ? along : std::abs(slope) + across);
   };
@@ -74,7 +74,7 @@ TEST(PairTable, visits_the_pairs_whose_strips_are_near_both_once_each) {
       const PairTable table(near(of_p), near(of_q), 512);
       ASSERT_FALSE(table.is_empty());
       const Edge segment = random_edge(random, size);
-      const long across = uniform(random, 0, 2), along = uniform(random, 0, 2);
+      const std::int64_t across = uniform(random, 0, 2), along = uniform(random, 0, 2);
       std::set<Pair> found, expected;
       table.each_near(segment.near(), {static_cast<double>(across), static_cast<double>(along)},
                       [&](const Pair& pair) { ASSERT_TRUE(found.insert(pair).second); });

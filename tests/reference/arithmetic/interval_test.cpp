@@ -230,7 +230,8 @@ TEST(IntervalStage, must_answer_for_products_that_round_to_the_same_double) {
     // (a b) - (a - k)(b + k) = k (a - b - k), of numbers of 53 bits.
     const auto a = static_cast<std::int64_t>(random() >> 11);
     const std::int64_t b = a - uniform(random, 0, 3), k = uniform(random, 0, 2);
-    const Vector u{mpz_class(a), mpz_class(a - k)}, v{mpz_class(b + k), mpz_class(b)};
+    const auto exact = [](std::int64_t number) { return Rational(static_cast<double>(number)); };
+    const Vector u{exact(a), exact(a - k)}, v{exact(b + k), exact(b)};
     const int right = sgn(cross(u, v));
     ASSERT_EQ(sign_of_cross(interval(u), interval(v)), right) << a << ' ' << b << ' ' << k;
     ++seen[right];

@@ -52,15 +52,15 @@ TEST(RationalRotation, by_the_opposite_angle_is_the_inverse) {
 }
 
 /// The smallest length of a Pythagorean triangle with such an angle, by trying all.
-long smallest_denominator(int degrees, double error) {
+int smallest_denominator(int degrees, double error) {
   const double sine = std::sin(degrees * std::numbers::pi / 180);
-  for (long c = 1;; ++c) {
-    const long middle = std::lround(static_cast<double>(c) * sine);
-    for (long b = std::max(middle - 40, 0L); b <= std::min(middle + 40, c); ++b) {
-      const long a = std::lround(std::sqrt(static_cast<double>(c * c - b * b)));
+  for (std::int64_t c = 1;; ++c) {
+    const std::int64_t middle = std::llround(static_cast<double>(c) * sine);
+    for (auto b = std::max<std::int64_t>(middle - 40, 0); b <= std::min(middle + 40, c); ++b) {
+      const std::int64_t a = std::llround(std::sqrt(static_cast<double>(c * c - b * b)));
       const double angle =
           std::atan2(static_cast<double>(b), static_cast<double>(a)) * 180 / std::numbers::pi;
-      if (a * a + b * b == c * c && std::abs(angle - degrees) <= error) return c;
+      if (a * a + b * b == c * c && std::abs(angle - degrees) <= error) return static_cast<int>(c);
     }
   }
 }
