@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <tuple>
 #include <utility>
 
 #include "checked/collision/collision_test.hpp"
@@ -132,7 +133,10 @@ class SheetCheck {
     std::optional<std::size_t> other;
     std::size_t part;
 
-    friend auto operator<=>(const Pair&, const Pair&) = default;
+    /// Not by default: an optional number of Clang's library before 17 has no operator<=>.
+    friend bool operator<(const Pair& a, const Pair& b) {
+      return std::tie(a.other, a.part) < std::tie(b.other, b.part);
+    }
   };
 
   struct Judged {
