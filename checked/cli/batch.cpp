@@ -198,18 +198,20 @@ class PairsOfFile {
     each_line(pairs.lines, [&](std::string_view text, std::size_t number) {
       if (is_blank_or_comment(text)) return;
       std::optional<PairLine> pair;
+      std::string id;
       for (const PartRotation& rotation : rotations_) {
         if (!awaits(result++)) continue;
-        std::string beginning = "{\"line\": " + std::to_string(number) + rotation.json;
+        std::string beginning = "{\"line\": " + std::to_string(number) + rotation.json + id;
         add_line(results, beginning, [&](std::string& line) {
           if (!pair) {
-            pair = read_pair_line({batches_.name(), number, text}, overlaps_);
+            pair = read_pair_line({batches_.name(), number, text}, overlaps_,
+                                  [&](std::string_view given) {
+                                    if (!id.empty()) return;
+                                    id = ", \"id\": " + std::string(given);
+                                    beginning += id;
+                                    line += id;
+                                  });
             results.note(batches_.name(), number, pair->notes);
-          }
-          if (!pair->id.empty()) {
-            const std::string id = ", \"id\": " + pair->id;
-            beginning += id;
-            line += id;
           }
           const bool is_last = &rotation == &rotations_.back();
           computation_.add(

@@ -131,7 +131,7 @@ class BlockingSearch {
       if (comes_apart(segment, pair)) return;
       if (exactly ? outside_exactly(pair, from, to)
                   : certainly_outside(pair, from, to) || meets_end_only(segment, pair) ||
-                        outside_closely(segment, pair, piece.from.near(), piece.to.near()))
+                        outside_closely(segment, pair, piece.from, piece.to))
         return;
       visit(pair);
     };
@@ -181,16 +181,17 @@ class BlockingSearch {
     // Where doubles are exact, a segment beside a strip may touch its side; along it, the shift decides.
     const double touching = OPLUS_MUTANT("slide-passes-sides-by") ? margin : std::max(margin, 0.5);
     effort.by_doubles += summands_.p.near.size() * summands_.q.near.size();
-    const auto leading = leading_edge(segment);
-    summands_.pairs.each_near(segment.near, {shift_ == Shift::none ? touching : margin, touching},
-                              [&](const EdgePair& pair) {
-                                --effort.by_doubles;
-                                if (comes_apart(segment, pair)) return;
-                                if (is_far_reaching() && (meets_end_only(segment, pair) ||
-                                                          outside_by_digits(leading, pair)))
-                                  return;
-                                visit(pair);
-                              });
+    const Fraction<Numbers> source{0, 1}, target{1, 1};
+    summands_.pairs.each_near(
+        segment.near, {shift_ == Shift::none ? touching : margin, touching},
+        [&](const EdgePair& pair) {
+          --effort.by_doubles;
+          if (comes_apart(segment, pair)) return;
+          if (is_far_reaching() &&
+              (meets_end_only(segment, pair) || outside_by_digits(segment, pair, source, target)))
+            return;
+          visit(pair);
+        });
   }
 
   using Pair = std::pair<std::uint32_t, std::uint32_t>;  ///< of nodes
@@ -285,10 +286,11 @@ class BlockingSearch {
 
   /// The same as certainly_outside() for the places between two on the segment, with regard to how large
   /// the numbers of this pair are: for where others are much larger.
-  bool outside_closely(const ReducedSegment<Numbers>& segment, const EdgePair& pair, double from,
-                       double to) {
+  bool outside_closely(const ReducedSegment<Numbers>& segment, const EdgePair& pair,
+                       const Fraction<Numbers>& first, const Fraction<Numbers>& last) {
     if (summands_.margins.area_is_exact) return false;
-    if (is_far_reaching()) return outside_by_digits(leading_edge(segment), pair);
+    if (is_far_reaching()) return outside_by_digits(segment, pair, first, last);
+    const double from = first.near(), to = last.near();
     const NearSegment& e = summands_.p.near[pair.first];
     const NearSegment& f = summands_.q.near[pair.second];
     const double dx = segment.near.dx, dy = segment.near.dy;
@@ -331,24 +333,47 @@ class BlockingSearch {
   /// Whether numbers, or products of two, may be out of the range of doubles.
   bool is_far_reaching() const { return !summands_.p.leading.empty(); }
 
-  struct Nothing {};
-  auto leading_edge(const ReducedSegment<Numbers>& segment) const {
-    if constexpr (has_fixed_width<Numbers>)
-      return Nothing{};
-    else
-      return is_far_reaching() ? LeadingEdge::of(segment.exact) : LeadingEdge{};
+  /// Whether leading digits tell that no place between two on the segment is in the sum of a pair of edges.
+  bool outside_by_digits(const ReducedSegment<Numbers>& segment, const EdgePair& pair,
+                         const Fraction<Numbers>& from, const Fraction<Numbers>& to) {
+    if constexpr (!has_fixed_width<Numbers>) {
+      const bool edge_of_p = segment.contact[0].first == segment.contact[1].first;
+      const EdgePair& at_source = segment.contact[1];
+      const NearVector direction = NearVector::of(segment.exact.direction);
+      const auto place = [&](const Fraction<Numbers>& t) {
+        // From the nearer end of the segment, so that what is left of its length there is precise.
+        const bool at_target = t.near() > 0.5;
+        const NearNumber part =
+            near_number(at_target ? t.numerator() - t.denominator() : t.numerator()) /
+            near_number(t.denominator());
+        const NearVector along = part * direction;
+        return LeadingPlace{
+            from_ends(summands_.p, at_source.first, at_target && edge_of_p, pair.first),
+            from_ends(summands_.q, at_source.second, at_target && !edge_of_p, pair.second),
+            {along, abs(along)}};
+      };
+      if (certainly_beyond_a_side({place(from), place(to)},
+                                  {summands_.p.leading[pair.first].direction,
+                                   edge_of_p && at_source.first == pair.first},
+                                  {summands_.q.leading[pair.second].direction,
+                                   !edge_of_p && at_source.second == pair.second})) {
+        ++effort.by_doubles;
+        return true;
+      }
+    }
+    return false;
   }
 
-  /// Whether leading digits tell that no place on the segment is in the sum of a pair of edges.
-  template <typename Leading>
-  bool outside_by_digits(const Leading& segment, const EdgePair& pair) {
-    if constexpr (has_fixed_width<Numbers>)
-      return false;
-    else if (!certainly_beyond_a_side(segment, summands_.p.leading[pair.first],
-                                      summands_.q.leading[pair.second]))
-      return false;
-    ++effort.by_doubles;
-    return true;
+  /// The source of an edge, or its target, less the source and the target of another one.
+  static std::array<LeadingVector, 2> from_ends(const IntegerSummand<Numbers>& summand,
+                                                std::uint32_t edge, bool target,
+                                                std::uint32_t other) {
+    const LeadingEdge &e = summand.leading[edge], &f = summand.leading[other];
+    const NearVector& v = target ? e.target : e.source;
+    const bool is_same = edge == other;
+    return {
+        LeadingVector::difference(v, f.source, target ? summand.previous[other] == edge : is_same),
+        LeadingVector::difference(v, f.target, target ? is_same : summand.previous[edge] == other)};
   }
 
   /// Whether a strip around one of two nodes shows that no place between two is in the sum of what both
@@ -385,7 +410,7 @@ class BlockingSearch {
                                      const Fraction<Numbers>& t, const ApproximatePoint& near,
                                      const EdgePair& pair) {
     if (comes_apart(segment, pair) || certainly_outside(pair, near, near) ||
-        meets_end_only(segment, pair) || outside_closely(segment, pair, t.near(), t.near()))
+        meets_end_only(segment, pair) || outside_closely(segment, pair, t, t))
       return std::nullopt;
     auto interval = interval_of(segment, pair);
     if (interval && interval->from < t && t < interval->to) return interval;

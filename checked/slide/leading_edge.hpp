@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 
 #include "checked/slide/integer_vector.hpp"
 #include "checked/slide/near_number.hpp"
@@ -15,9 +17,19 @@ struct NearVector {
   static NearVector of(const IntegerVector<Numbers>& v) {
     return {near_number(v.x), near_number(v.y)};
   }
+  friend NearVector operator+(const NearVector& a, const NearVector& b) {
+    return {a.x + b.x, a.y + b.y};
+  }
+  friend NearVector operator-(const NearVector& a, const NearVector& b) {
+    return {a.x - b.x, a.y - b.y};
+  }
+  friend NearVector operator*(const NearNumber& t, const NearVector& v) {
+    return {t * v.x, t * v.y};
+  }
+  friend NearVector abs(const NearVector& v) { return {abs(v.x), abs(v.y)}; }
 };
 
-/// A segment by leading digits, each number off by at most 2^-50 of its size: so small ones are as precise as large
+/// An edge by leading digits, each number off by at most 2^-50 of its size: so small ones are as precise as large
 /// ones, at both ends.
 struct LeadingEdge {
   NearVector source, target, direction;
@@ -29,31 +41,61 @@ struct LeadingEdge {
   }
 };
 
-/// The sign of the skew product of d and x - p - q where it is certain, else 0.
-inline int certain_side(const NearVector& d, const NearVector& x, const NearVector& p,
-                        const NearVector& q) {
-  const NearNumber left = d.x * (x.y - p.y - q.y), right = d.y * (x.x - p.x - q.x);
-  const NearNumber difference = left - right;
-  const NearNumber error =
-      NearNumber{1, -48} * (abs(left) + abs(right) + abs(d.x) * (abs(x.y) + abs(p.y) + abs(q.y)) +
-                            abs(d.y) * (abs(x.x) + abs(p.x) + abs(q.x)));
+/// A vector by leading digits, off by at most 2^-48 of `size`.
+struct LeadingVector {
+  NearVector near, size;
+
+  /// Of two vertices, 0 where they are the same, however large they are: what is left of a sum of differences is then
+  /// as precise as its small terms.
+  static LeadingVector difference(const NearVector& a, const NearVector& b, bool is_same) {
+    if (is_same) return {};
+    return {a - b, abs(a) + abs(b)};
+  }
+  friend LeadingVector operator+(const LeadingVector& a, const LeadingVector& b) {
+    return {a.near + b.near, a.size + b.size};
+  }
+};
+
+/// The sign of the skew product of d and v where it is certain, else 0.
+inline int certain_side(const NearVector& d, const LeadingVector& v) {
+  const NearNumber difference = d.x * v.near.y - d.y * v.near.x;
+  const NearNumber error = NearNumber{1, -47} * (abs(d.x) * v.size.y + abs(d.y) * v.size.x);
   return (error < difference) - (error < -difference);
 }
 
-/// Whether a segment is certainly beyond one of the sides of the sum of an edge of P and one of Q, a parallelogram.
-inline bool certainly_beyond_a_side(const LeadingEdge& segment, const LeadingEdge& e,
-                                    const LeadingEdge& f) {
-  const int turn = certain_order(e.direction.x * f.direction.y, e.direction.y * f.direction.x);
-  // Of the sides along an edge, whether both ends of the segment are beyond that through a point of the other edge.
-  const auto is_beyond = [&](const LeadingEdge& along, const NearVector& through, int side) {
-    for (const NearVector* x : {&segment.source, &segment.target})
-      if (certain_side(along.direction, *x, along.source, through) != side &&
-          certain_side(along.direction, *x, along.target, through) != side)
-        return false;
-    return true;
+/// A place on a segment of the convolution, seen from an edge of P and one of Q: less the source, and the target, of
+/// the edge of P, and of Q; the sum of one of each and of `along`, the place less an end of the segment.
+struct LeadingPlace {
+  std::array<LeadingVector, 2> from_p, from_q;
+  LeadingVector along;
+};
+
+/// The direction of such an edge, and whether the segment is parallel to it for being its sum with a vertex.
+struct LeadingDirection {
+  NearVector direction;
+  bool is_of_segment;
+};
+
+/// Whether two places on a segment, and all between them, are certainly beyond one of the sides of the sum of an edge
+/// of P and one of Q, a parallelogram.
+inline bool certainly_beyond_a_side(const std::array<LeadingPlace, 2>& places,
+                                    const LeadingDirection& p, const LeadingDirection& q) {
+  const int turn = certain_order(p.direction.x * q.direction.y, p.direction.y * q.direction.x);
+  // Of the sides along one edge, whether both places are beyond that through an end of the other.
+  const auto is_beyond = [&](bool along_p, std::size_t end, int side) {
+    const LeadingDirection& edge = along_p ? p : q;
+    return std::all_of(places.begin(), places.end(), [&](const LeadingPlace& place) {
+      const LeadingVector& from_end = (along_p ? place.from_q : place.from_p)[end];
+      const LeadingVector rest = edge.is_of_segment ? from_end : from_end + place.along;
+      // Seen from either end of the edge: from one of them, there may be no large number.
+      const auto& from_edge = along_p ? place.from_p : place.from_q;
+      return std::any_of(from_edge.begin(), from_edge.end(), [&](const LeadingVector& of_edge) {
+        return certain_side(edge.direction, of_edge + rest) == side;
+      });
+    });
   };
-  return turn != 0 && (is_beyond(e, f.source, -turn) || is_beyond(e, f.target, turn) ||
-                       is_beyond(f, e.source, turn) || is_beyond(f, e.target, -turn));
+  return turn != 0 && (is_beyond(true, 0, -turn) || is_beyond(true, 1, turn) ||
+                       is_beyond(false, 0, turn) || is_beyond(false, 1, -turn));
 }
 
 }  // namespace oplus::slide

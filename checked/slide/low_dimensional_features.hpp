@@ -84,7 +84,8 @@ void add_sums_of_touching_points(const IntegerSummands<Numbers>& summands,
       // On a line in some direction.
       points.push_back({{{summands.p.edges[v].source + summands.q.edges[w].source, {1, 0}},
                          {near_v.x + near_w.x, near_v.y + near_w.y, 0, 0},
-                         error_of_places(near_v, near_w)},
+                         error_of_places(near_v, near_w),
+                         {EdgePair{v, w}, EdgePair{v, w}}},
                         {0, 1},
                         scaling});
     }

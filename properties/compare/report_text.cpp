@@ -37,10 +37,10 @@ void write_classes(std::ostream& out, const CampaignReport& report) {
   const bool is_of_sums = report.campaign.is_of_sums();
   if (is_of_sums) {
     row("", "cases", "holes in", "holes in", "low-dim.", "overlapping", "several", "disagree");
-    row("", "run", "the sum", "a summand", "features", "segments", "components", "");
+    row("", "run", "the sum", "a summand", "features", "segments", "components");
   } else {
     row("", "cases", "value", "value", "value with", "value with", "value", "disagree");
-    row("", "run", "unbounded", "with area", "edges", "points", "empty", "");
+    row("", "run", "unbounded", "with area", "edges", "points", "empty");
   }
   const auto tally_row = [&](const std::string& name, const Tally& t) {
     if (is_of_sums) {

@@ -10,6 +10,7 @@ from records import InvalidRecord, read
 MATCHES = {
     "pairs_with_a_story": ("tests/corpus/pairs.txt", r"^story: "),
     "placements": ("tests/corpus/named_placements.json", r'"contact": '),
+    "transcribed": ("tests/**/transcripts/*.txt", r"^\$ "),
     "faults_in_coq": ("tests/properties/proofs/faults.py", r'^    \("'),
     "commands": ("docs/*.md", r"^    (?:\$ )?(?:build/release/bin/)?oplus(?:-check|-proved|-peer|-maintain)? "),
     "faults_by_fuzzing": ("docs/fuzz.md", r"^\| `[a-z-]+`: "),

@@ -2,6 +2,7 @@
 #include "reference/io/invalid_region.hpp"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <string>
 #include <utility>
@@ -24,12 +25,24 @@ std::size_t source_of(const PlacedChain& chain, std::size_t edge) {
   return chain.is_turned ? next(edge, chain.vertices.size()) : edge;
 }
 
+/// "(1, 0)", or "about (1.25e+400, 0)" if that would be long.
+std::string in_short(const Point& p) {
+  constexpr std::size_t longest = 100;
+  std::string exact = to_string(p);
+  if (exact.size() <= longest) return exact;
+  const mpf_class x(p.x), y(p.y);
+  std::array<char, 2 * longest> rounded;
+  gmp_snprintf(rounded.data(), rounded.size(), "about (%.9Fg, %.9Fg)", x.get_mpf_t(),
+               y.get_mpf_t());
+  return rounded.data();
+}
+
 /// "edge 2 from (1, 0) to (1, 1)", numbered and directed as in the input.
 std::string edge_name(const PlacedChain& chain, std::size_t edge) {
   const std::size_t from = source_of(chain, edge);
   const std::size_t to = chain.is_turned ? edge : next(edge, chain.vertices.size());
   return "edge " + std::to_string(number_of(chain, from)) + " from " +
-         to_string(chain.vertices[from]) + " to " + to_string(chain.vertices[to]);
+         in_short(chain.vertices[from]) + " to " + in_short(chain.vertices[to]);
 }
 
 /// The edge of a chain on which the point lies: the one a defect names, else any.
@@ -85,7 +98,7 @@ class DefectMessage {
   }
 
  private:
-  std::string at() const { return " at " + to_string(defect_.where); }
+  std::string at() const { return " at " + in_short(defect_.where); }
 
   [[noreturn]] void refuse_vertices(const std::string& wrong, const std::string& expected) const {
     refuse_at(std::max(first_.places[defect_.first.vertex], second_.places[defect_.second.vertex]),
@@ -104,7 +117,7 @@ class DefectMessage {
     const auto [low, high] = std::minmax(
         {number_of(first_, defect_.first.vertex), number_of(second_, defect_.second.vertex)});
     return "vertices " + std::to_string(low) + " and " + std::to_string(high) + " are both " +
-           to_string(defect_.where);
+           in_short(defect_.where);
   }
 
   [[noreturn]] void refuse_edges(const std::string& wrong, const std::string& expected) const {

@@ -152,6 +152,21 @@ Row tall_comb_row(long teeth) {
           }};
 }
 
+/// The worst that we know for a segment: beside the large square, all boxes of the star are a point, so that each of
+/// its edges is looked at by the leading digits of its coordinates, for each segment.
+Row far_scales_row(std::size_t n) {
+  return {.name = "far_scales_" + std::to_string(n),
+          .group = "hard",
+          .what = "star of " + std::to_string(n) + " and a square of side 10^100",
+          .make = [n] {
+            Random random(1);
+            mpz_class side;
+            mpz_ui_pow_ui(side.get_mpz_t(), 10, 100);
+            return std::vector<Summands>{
+                {star_polygon(random, n), polygon({{0, 0}, {side, 0}, {side, side}, {0, side}})}};
+          }};
+}
+
 /// Many pairs: Q as it is made, or moved away.
 Row distance_row(const std::string& name, const std::string& what, const Rational& away,
                  const std::function<Summands(std::uint64_t seed)>& make) {
@@ -285,6 +300,7 @@ Rows benchmark_rows() {
                                                                   {"touching", 100}})
     made.push_back(hard_row(family, n));
   made.push_back(tall_comb_row(500));
+  made.push_back(far_scales_row(200));
   for (const std::size_t n : {10'000, 100'000, 1'000'000})
     for (const Kind* const p : {&coast, &maze_kind})
       for (const std::size_t m : {4, 100}) {

@@ -30,7 +30,7 @@ NOT_RUN = {
     "oplus-check conformance --engine 'exec:./own_program {p} {q}' --report own.xml": "conformance.own-program does",
     "oplus-check conformance --engine 'exec:oplus-peer-newest clipper2 {p} {q}'": "newest.peer does",
     "oplus-check smt": "proofs.smt does",
-    "oplus-check smt table-4.3-to-4.6 --write questions": "smt_command_test writes those of another one",
+    "oplus-check smt table-4.3-to-4.6 --write questions": "tests/properties/transcripts/smt.txt writes those of another one",
     "oplus-maintain fuzz slide --seconds 600": "fuzz.slide runs the target",
 }
 # Columns of README's table, and what they are called in that of the ratios in docs/benchmarks.md.

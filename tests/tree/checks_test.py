@@ -205,6 +205,11 @@ class ProjectFiles(TreeTest):
     CITATION = ("cff-version: 1.2.0", "message: cite", "type: software", 'title: "oplus: sums"', "version: 0.1.0", "authors: []",
                 "license: [MIT]", "keywords: []", "references:", "  - title: Sums")
 
+    VERSIONS = {"CHANGELOG.md": ("# Change log", "## 0.1.0 - unreleased", "## 0.0.9"), "docs/npm.md": ("`oplus-0.1.0.tgz`",),
+                "checked/bindings/npm/package.json": ('"version": "0.1.0",',),
+                "checked/bindings/npm/oplus.d.ts": ('/** The version of oplus, such as "0.1.0". */',),
+                "checked/bindings/c/oplus.h": ('const char* oplus_version(void);  ///< Returns "0.1.0".',)}
+
     def setUp(self):
         super().setUp()
         self.write("tests/run")
@@ -214,7 +219,7 @@ class ProjectFiles(TreeTest):
         self.write("checked/oplus/version.hpp", *(f"#define OPLUS_VERSION_{part} {number}  ///< It."
                                                   for part, number in (("MAJOR", 0), ("MINOR", 1), ("PATCH", 0))))
         self.files = {".github/workflows/a.yml": self.WORKFLOW, ".github/ISSUE_TEMPLATE/b.yml": self.FORM,
-                      "CITATION.cff": self.CITATION, ".github/ISSUE_TEMPLATE/config.yml": ("blank_issues_enabled: false",)}
+                      "CITATION.cff": self.CITATION, **self.VERSIONS, ".github/ISSUE_TEMPLATE/config.yml": ("blank_issues_enabled: false",)}
         for name, lines in self.files.items():
             self.write(name, *lines)
 
@@ -237,10 +242,13 @@ class ProjectFiles(TreeTest):
                 ("ISSUE_TEMPLATE/b.yml", "body:", "bodies:", "form: has no body"),
                 ("ISSUE_TEMPLATE/config.yml", "blank_issues_enabled: false", "blank: false", "blank is unknown"),
                 ("CITATION.cff", "version: 0.1.0", "version: 0.2.0", "0.2.0 is not 0.1.0"),
+                *((name, *[(line, line.replace("0.1.0", "0.2.0")) for line in lines if "0.1.0" in line][0], "0.2.0 is not 0.1.0")
+                  for name, lines in self.VERSIONS.items()),
+                ("docs/npm.md", "`oplus-0.1.0.tgz`", "nothing", "none is not 0.1.0"),
                 ("CITATION.cff", "  - title: Sums", "  - title: Products", "README has no `Products`"),
                 ("CITATION.cff", "license: [MIT]", "license: [BSD]", "LICENSES has no BSD"),
                 ("CITATION.cff", "keywords: []", "keyword: []", "keyword is unknown")]:
-            name = name if name == "CITATION.cff" else ".github/" + name
+            name = name if name in self.files else ".github/" + name
             with self.subTest(changed=changed):
                 lines = self.files[name]
                 self.assertIn(line, lines)

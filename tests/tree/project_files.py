@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Fails on what would be wrong about the files that a hosting service reads: a workflow or an issue form that is not
 YAML or has a key that GitHub does not know, logic in a workflow, a script that it calls and that does not exist, a job
-without a limit; a CITATION.cff of another version, title or licence; a licence that LICENSE does not name."""
+without a limit; a CITATION.cff of another title or licence; a file that says another version than <oplus/version.hpp>;
+a licence that LICENSE does not name."""
 
 import re
 from pathlib import Path
@@ -21,6 +22,11 @@ ELEMENT = {"markdown": {"value"}, "input": {"label", "description", "placeholder
            "dropdown": {"label", "description", "multiple", "options"}, "checkboxes": {"label", "description", "options"}}
 CONFIG = {"blank_issues_enabled", "contact_links"}
 CITATION = {"cff-version", "message", "type", "title", "version", "authors", "license", "keywords", "references"}
+# Where else the version is, and how it is said there.
+VERSIONS = {"CITATION.cff": r"(?m)^version: (\S+)", "CHANGELOG.md": r"(?m)^## (\d\S*)",
+            "checked/bindings/npm/package.json": r'"version": "(.*?)"',
+            "checked/bindings/npm/oplus.d.ts": r'version of oplus, such as "(.*?)"',
+            "checked/bindings/c/oplus.h": r'oplus_version.*Returns "(.*?)"', "docs/npm.md": r"oplus-(\d[\d.]*)\.tgz"}
 # A script of the repository with words, and nothing that a shell would make of them.
 RUN = re.compile(r"(?:bash|python3 -B) ([\w./-]+)(?: (?:[\w./=-]+|\"[\w./=|-]+\"))*")
 
@@ -79,10 +85,6 @@ def wrong_citation(root, citation):
     found = keys(citation, CITATION, "citation") + missing(citation, CITATION, "citation")
     if found:
         return found
-    header = (root / "checked/oplus/version.hpp").read_text(encoding="utf-8")
-    version = ".".join(re.findall(r"#define OPLUS_VERSION_\w+ (\d+)", header))
-    if citation["version"] != version:
-        found.append(f"version: {citation['version']} is not {version}")
     readme = re.sub(r"\s+", " ", (root / "README.md").read_text(encoding="utf-8"))
     for title in [citation["title"]] + [one["title"] for one in citation["references"]]:
         if not re.search(rf"(# |\*){re.escape(title)}[* ]", readme):
@@ -98,12 +100,23 @@ def unnamed_licences(root):
             if f"LICENSES/{path.name}" not in text]
 
 
+def other_versions(root):
+    header = (root / "checked/oplus/version.hpp").read_text(encoding="utf-8")
+    version = ".".join(re.findall(r"#define OPLUS_VERSION_\w+ (\d+)", header))
+    for name, said in VERSIONS.items():
+        # Of the change log, the newest.
+        there = re.findall(said, (root / name).read_text(encoding="utf-8"))[:1 if name == "CHANGELOG.md" else None]
+        for one in there or ["none"]:
+            if one != version:
+                yield f"{name}: version: {one} is not {version}"
+
+
 def in_yaml(root):
     return sorted((root / ".github").rglob("*.y*ml")) + [root / "CITATION.cff"]
 
 
 def violations(root):
-    found = unnamed_licences(root)
+    found = unnamed_licences(root) + list(other_versions(root))
     for path in in_yaml(root):
         name = path.relative_to(root).as_posix()
         try:

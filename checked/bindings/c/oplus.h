@@ -55,7 +55,7 @@ enum { OPLUS_NEAREST = 0, OPLUS_CONTAIN = 1, OPLUS_CONTAINED = 2 };
 /// Where a point is.
 enum { OPLUS_OUTSIDE = 0, OPLUS_ON_BOUNDARY = 1, OPLUS_INSIDE = 2 };
 
-OPLUS_PUBLIC const char* oplus_version(void);  ///< Returns "0.1.0" or what is linked.
+OPLUS_PUBLIC const char* oplus_version(void);  ///< Returns "1.0.0" or what is linked.
 
 /// Returns what was wrong in the last call on this thread that failed, in a line; "" before. It is valid until the
 /// next such call on this thread.

@@ -107,5 +107,5 @@ export function certificate(p: Shape, q: Shape, claimed: Shape, options?: {open?
  * one with a witness, a point, and more. */
 export function verify(p: Shape, q: Shape, claimed: Shape, options?: {open?: boolean}):
   {isSum: true, reason?: undefined} | {isSum: false, reason: string};
-/** The version of oplus, such as "0.1.0". */
+/** The version of oplus, such as "1.0.0". */
 export function version(): string;

@@ -98,7 +98,7 @@ ReadSet read_member(const PlacedLine& line, JsonValue object, const std::string&
                     notes);
 }
 
-PairLine read_json_line(const PlacedLine& line, Overlaps overlaps) {
+PairLine read_json_line(const PlacedLine& line, Overlaps overlaps, const TakeId& take_id) {
   if (const std::size_t zero = line.text.find('\0'); zero != std::string_view::npos)
     refuse(line, zero + 1, "the byte " + quote(line.text.substr(zero, 1)) + " is not text",
            "a JSON object");
@@ -111,11 +111,11 @@ PairLine read_json_line(const PlacedLine& line, Overlaps overlaps) {
     }
   }();
   const JsonValue object = tree->root();
+  if (const std::optional<JsonValue> id = object.member("id"))
+    take_id(value_at(line.text.substr(id->at().column - 1)));
   PairLine pair;
   pair.p = read_member(line, object, "p", "P", overlaps, pair.notes);
   pair.q = read_member(line, object, "q", "Q", overlaps, pair.notes);
-  if (const std::optional<JsonValue> id = object.member("id"))
-    pair.id = value_at(line.text.substr(id->at().column - 1));
   return pair;
 }
 
@@ -126,11 +126,11 @@ bool is_blank_or_comment(std::string_view line) {
   return first == line.end() || *first == '#';
 }
 
-PairLine read_pair_line(const PlacedLine& line, Overlaps overlaps) {
+PairLine read_pair_line(const PlacedLine& line, Overlaps overlaps, const TakeId& take_id) {
   const std::size_t tab = line.text.find('\t');
   if (tab == std::string_view::npos) {
     if (*std::find_if_not(line.text.begin(), line.text.end(), is_blank) == '{')
-      return read_json_line(line, overlaps);
+      return read_json_line(line, overlaps, take_id);
     refuse(line, 0, "one field", "two geometries with a tab between them, or a JSON object");
   }
   if (line.text.find('\t', tab + 1) != std::string_view::npos)

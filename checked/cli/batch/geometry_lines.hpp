@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,19 +21,21 @@ struct PlacedLine {
 /// Whether there is nothing to compute in a line: it is blank, or starts with #.
 bool is_blank_or_comment(std::string_view line);
 
+/// What is done with an id, in JSON.
+using TakeId = std::function<void(std::string_view)>;
+
 /// Two summands: bounded sets.
 struct PairLine {
   ReadSet p;
   ReadSet q;
-  std::string id;                  ///< as JSON, as in the line; empty where there is none
   std::vector<std::string> notes;  ///< what reading repaired
 };
 
 /// Reads two geometries with a tab between them, each in any form that read_set takes, or a JSON object
-/// {"p": ..., "q": ...} of GeoJSON geometries or of strings in these forms. It may have an "id" of any type.
-/// Where components may overlap, the regions are their unions. Throws InvalidInput, which names the file, the
-/// line and the column.
-PairLine read_pair_line(const PlacedLine& line, Overlaps overlaps);
+/// {"p": ..., "q": ...} of GeoJSON geometries or of strings in these forms. It may have an "id" of any type,
+/// which is passed on as in the line, before the geometries are looked at. Where components may overlap, the
+/// regions are their unions. Throws InvalidInput, which names the file, the line and the column.
+PairLine read_pair_line(const PlacedLine& line, Overlaps overlaps, const TakeId& take_id);
 
 struct PartLine {
   ReadSet set;

@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <boost/algorithm/string/join.hpp>
 #include <csignal>
 #include <exception>
 #include <iostream>
@@ -78,6 +79,9 @@ std::string complaint(const CLI::App& program, const std::string& first_word,
     each = each->get_subcommands().front();
     names += each->get_name() + " ";
   }
+  if (dynamic_cast<const CLI::ExtrasError*>(&error))  // CLI11 would reverse them
+    return "not expected: " + boost::algorithm::join(program.remaining(true), " ") + see + names +
+           "--help";
   return error.what() + see + names + "--help";
 }
 

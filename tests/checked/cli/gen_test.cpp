@@ -32,26 +32,5 @@ TEST_F(Gen, writes_both_summands_of_every_family_in_every_format) {
   }
 }
 
-TEST_F(Gen, the_seed_decides) {
-  const std::string first = run("oplus gen grid --n 8 --seed 1").out;
-  EXPECT_NE(first, "");
-  EXPECT_EQ(run("oplus gen grid --n 8").out, first);
-  EXPECT_EQ(run("oplus gen grid --n 8 --seed 1").out, first);
-  EXPECT_NE(run("oplus gen grid --n 8 --seed 18446744073709551615").out, first);
-}
-
-TEST_F(Gen, refuses_unknown_families_and_invalid_options) {
-  expect_refusal("oplus gen", "--list");
-  expect_refusal("oplus gen nothing -o p.wkt", "'nothing'");
-  expect_refusal("oplus gen star --n 2 -o p.wkt", "3 or more");
-  for (const std::string n : {"-1", "three", "3.5", "", "1e3", "99999999999999999999", "10001"})
-    expect_refusal("oplus gen star --n '" + n + "'", "--n");
-  expect_refusal("oplus gen star --seed -1", "--seed");
-  expect_refusal("oplus gen star --seed 18446744073709551616", "--seed");
-  expect_refusal("oplus gen star --summand R", "--summand");
-  expect_refusal("oplus gen star -o missing/p.wkt", "missing");
-  expect_refusal("oplus gen star -o p.txt", "p.txt");
-}
-
 }  // namespace
 }  // namespace oplus

@@ -22,34 +22,69 @@ Integer number(Random& random) {
 
 Vector vector(Random& random) { return {number(random), number(random)}; }
 
-/// Whether a place on the segment, its ends too, is inside the parallelogram.
-bool meets(const Edge& segment, const Edge& e, const Edge& f) {
-  const auto blocked = blocked_interval(segment, e, f, Shift::none);
-  const Fraction<AnyNumbers> from{0, 1}, to{1, 1};
-  return blocked && blocked->from < to && from < blocked->to;
+using Place = Fraction<AnyNumbers>;
+
+/// From 0 to 1, about as near to an end as numbers can be, or anywhere.
+Place place(Random& random) {
+  Integer n =
+      value<AnyNumbers>(odd_number(random, std::array{1U, 9U, 2900U}[uniform(random, 0, 2)]));
+  const Integer d =
+      n + value<AnyNumbers>(odd_number(random, std::array{9U, 3000U}[uniform(random, 0, 1)]));
+  if (uniform(random, 0, 1) == 0) n = d - n;
+  return {n, d};
 }
+
+/// A vertex, of which it is known whether it is one of an edge, and which.
+struct Vertex {
+  Vector at;
+  int of_edge;  ///< 0 for the source, 1 for the target, else 2
+
+  static Vertex any(Random& random, const Edge& e) {
+    const int end = uniform(random, 0, 3);
+    if (end == 0) return {e.source, 0};
+    if (end == 1) return {e.source + e.direction, 1};
+    // Beside the source, or anywhere.
+    return {end == 2 ? e.source + Vector{uniform(random, -1, 1), 1} : vector(random), 2};
+  }
+  std::array<LeadingVector, 2> from(const Edge& e) const {
+    const LeadingEdge edge = LeadingEdge::of(e);
+    return {LeadingVector::difference(NearVector::of(at), edge.source, of_edge == 0),
+            LeadingVector::difference(NearVector::of(at), edge.target, of_edge == 1)};
+  }
+};
 
 TEST(LeadingEdge, is_beyond_a_side_only_where_no_place_is_inside) {
   Random random(1);
   std::size_t beyond = 0, outside = 0;
-  for (int i = 0; i < 3000; ++i) {
+  for (int i = 0; i < 4000; ++i) {
     const Edge e{vector(random), vector(random)}, f{vector(random), vector(random)};
-    // Anywhere, or with one end about as near to a side as numbers can be.
-    Edge segment{vector(random), vector(random)};
-    if (i % 2 == 0) {
-      const int along = uniform(random, 0, 3);
-      segment.source = e.source + f.source + (i % 4 == 0 ? e : f).direction;
-      if (along > 1) segment.source = segment.source + (i % 4 == 0 ? f : e).direction;
-      if (along % 2 == 1) segment.source = segment.source + Vector{uniform(random, -1, 1), 1};
-    }
-    const bool is_beyond =
-        certainly_beyond_a_side(LeadingEdge::of(segment), LeadingEdge::of(e), LeadingEdge::of(f));
-    const bool is_inside = meets(segment, e, f);
+    const Vertex p = Vertex::any(random, e), q = Vertex::any(random, f);
+    const bool along_e = i % 4 == 0 && p.of_edge == 0;
+    const Edge segment{p.at + q.at, along_e ? e.direction : vector(random)};
+    Place from = place(random), to = place(random);
+    if (to < from) std::swap(from, to);
+    const auto leading = [&](const Place& t) -> LeadingPlace {
+      const NearVector d = NearVector::of(segment.direction);
+      if (i % 2 == 0) {
+        const NearVector along = near_number(t.numerator()) / near_number(t.denominator()) * d;
+        return {p.from(e), q.from(f), {along, abs(along)}};
+      }
+      // Less the segment's target, for which its edge is taken to be of P.
+      const NearVector along =
+          near_number(Integer(t.numerator() - t.denominator())) / near_number(t.denominator()) * d;
+      const Vertex target{p.at + segment.direction, along_e ? 1 : 2};
+      return {target.from(e), q.from(f), {along, abs(along)}};
+    };
+    const bool is_beyond = certainly_beyond_a_side({leading(from), leading(to)},
+                                                   {NearVector::of(e.direction), along_e},
+                                                   {NearVector::of(f.direction), false});
+    const auto blocked = blocked_interval(segment, e, f, Shift::none);
+    const bool is_inside = blocked && blocked->from < to && from < blocked->to;
     EXPECT_FALSE(is_beyond && is_inside) << i;
     beyond += is_beyond;
     outside += !is_inside;
   }
-  EXPECT_GT(10 * beyond, 5 * outside) << beyond << " of " << outside;
+  EXPECT_GT(100 * beyond, 60 * outside) << beyond << " of " << outside;
 }
 
 TEST(NearNumber, of_different_numbers_knows_the_order_or_leaves_it_open) {

@@ -27,88 +27,6 @@ class DiffCommand : public Shell {
   }
 };
 
-TEST_F(DiffCommand, compares_pairs_and_says_what_ran_and_where_the_report_is) {
-  const Ran ran = diff("--pair frame.dat square.dat --pair square.dat square.dat", 0);
-  EXPECT_TRUE(has(ran.out,
-                  "2 cases run, each closed and open, 0 skipped, 0 with a "
-                  "disagreement\n"
-                  "report: oplus-findings/diff.json\n"));
-  const auto report = nlohmann::json::parse(content("oplus-findings/diff.json"));
-  EXPECT_EQ(report.at("all").at("ran"), 2);
-  EXPECT_EQ(report.at("all").at("holes_in_sum"), 1);
-  EXPECT_EQ(report.at("campaign").at("engines"),
-            nlohmann::json({"slide", "rca", "loops", "winding", "certified", "proved"}));
-  EXPECT_EQ(report.at("campaign").at("hole_test"), "all");
-}
-
-TEST_F(DiffCommand, makes_the_folder_of_counterexamples_and_no_other) {
-  const std::string pair = "--pair frame.dat square.dat ";
-  diff(pair + "--out new/folder/", 0);
-  EXPECT_TRUE(has(content("new/folder/diff.json"), "frame.dat"));
-  diff(pair + "--out other --report ./other/r.md", 0);
-  diff(pair + "--report none/r.md", 2);
-  EXPECT_FALSE(files().contains("none"));
-}
-
-TEST_F(DiffCommand, says_what_hole_tests_were_asked) {
-  const std::string pair = "--pair frame.dat square.dat";
-  const Ran all = diff(pair, 0);
-  // One hole; closed and open; rca and loops.
-  EXPECT_TRUE(has(all.out, "all hole tests gave the same answer 4 times about a face, "));
-  const Ran ray = diff(pair + " --engine loops --collision-test ray", 0);
-  EXPECT_TRUE(has(ray.out, "the hole test ray was asked 2 times about a face, "));
-  diff(pair + " --collision-test none", 2);
-}
-
-TEST_F(DiffCommand, counts_what_it_skips_and_does_not_pass_with_nothing_compared) {
-  const Ran ran = diff("--pair frame.dat square.dat --largest 5", 2);
-  EXPECT_TRUE(has(ran.out, "skipped: frame.dat square.dat: its convolution has"));
-  EXPECT_TRUE(has(ran.out, "0 cases run, each closed and open, 1 skipped"));
-}
-
-TEST_F(DiffCommand, compares_with_the_judge_that_is_named) {
-  const std::string pairs = "--family tight --cases 6 --engine slide --report ";
-  const Ran by_oracle = diff(pairs + "oracle.json", 0);
-  const Ran by_convex_parts = diff(pairs + "convex.json --judge convex-parts", 0);
-  EXPECT_TRUE(has(by_oracle.out, "compared with the oracle:\n"));
-  EXPECT_TRUE(has(by_convex_parts.out, "compared with the sum of convex parts:\n"));
-  const auto one = nlohmann::json::parse(content("oracle.json"));
-  const auto other = nlohmann::json::parse(content("convex.json"));
-  EXPECT_EQ(one.at("digest"), other.at("digest"));
-  EXPECT_EQ(one.at("campaign").at("judge"), "oracle");
-  EXPECT_EQ(other.at("campaign").at("judge"), "convex-parts");
-  EXPECT_LT(one.at("campaign").at("largest"), other.at("campaign").at("largest"));
-  diff(pairs + "no.json --judge nobody", 2);
-}
-
-TEST_F(DiffCommand, compares_an_operation_with_its_definition) {
-  const Ran ran = diff(
-      "--operation ifp --pair frame.dat square.dat --family tight --cases 10 --engine slide --engine "
-      "loops",
-      0);
-  EXPECT_TRUE(has(ran.out, "compared with the definition of ifp:\n"));
-  EXPECT_TRUE(
-      has(ran.out, "11 cases run, one value of ifp each, 0 skipped, 0 with a disagreement\n"));
-  const auto report = nlohmann::json::parse(content("oplus-findings/diff.json"));
-  EXPECT_EQ(report.at("campaign").at("operation"), "ifp");
-  // The square fits into the frame exactly, from corner to corner.
-  EXPECT_EQ(report.at("sources").at(0).at("counts").at("values"), nlohmann::json({{"edges", 1}}));
-  EXPECT_EQ(report.at("all").at("sums").at("passed"), 11 * 2);
-}
-
-TEST_F(DiffCommand, compares_operations_of_unbounded_regions) {
-  put("outside.dat", "0\n1\n4\n0 0\n0 4\n4 4\n4 0\n");
-  for (const char* operation : {"nfp", "ifp", "erode", "open", "close", "complement", "union",
-                                "closed-sum", "rounded-sum"}) {
-    diff(std::string("--pair outside.dat square.dat --engine slide --operation ") + operation, 0);
-    const auto report = nlohmann::json::parse(content("oplus-findings/diff.json"));
-    EXPECT_EQ(report.at("all").at("values").contains("unbounded"),
-              operation != std::string("complement"));
-  }
-  const Ran sum = diff("--pair outside.dat square.dat", 2);
-  EXPECT_TRUE(has(sum.err, "unbounded")) << sum.err;
-}
-
 TEST_F(DiffCommand, finds_an_operation_by_a_wrong_sum_and_reproduces_it) {
   for (const char* pair : {"square.dat frame.dat", "outside.dat square.dat"}) {
     put("outside.dat", "0\n1\n4\n0 0\n0 4\n4 4\n4 0\n");
@@ -121,52 +39,6 @@ TEST_F(DiffCommand, finds_an_operation_by_a_wrong_sum_and_reproduces_it) {
     const Ran again = run(last_line_after(ran.out, "  reproduce: "), 1);
     EXPECT_EQ(last_line_after(again.out, " vertices: "), last_line_after(ran.out, " vertices: "));
   }
-}
-
-TEST_F(DiffCommand, a_sum_that_an_operation_cannot_use_is_a_failure_of_the_engine) {
-  put("outside.dat", "0\n1\n4\n0 0\n0 4\n4 4\n4 0\n");
-  const Ran ran = diff(
-      "--operation nfp --engine 'exec:echo POLYGON EMPTY # {p} {boundary}' --shrink-tries 5 --pair "
-      "outside.dat square.dat",
-      1);
-  EXPECT_TRUE(has(ran.out, "unreadable: no outer chain")) << ran.out;
-}
-
-TEST_F(DiffCommand, refuses_options_that_operations_do_not_take) {
-  const std::string pair = "--pair frame.dat square.dat ";
-  diff(pair + "--operation nonsense", 2);
-  const Ran judge = diff(pair + "--operation ifp --judge convex-parts", 2);
-  EXPECT_TRUE(has(judge.err, "--judge convex-parts is for sums"));
-  diff("--operation ifp --folder .", 2);
-  diff(pair + "--operation ifp --resume state.json", 0);
-  const Ran other = diff(pair + "--operation open --resume state.json", 2);
-  EXPECT_TRUE(has(other.err, R"(operation is "ifp", not "open")")) << other.err;
-}
-
-TEST_F(DiffCommand, refuses_invalid_input_and_usage) {
-  put("bad.dat", "4\n0 0\n2 2\n2 0\n0 2\n");
-  const Ran bad = diff("--pair bad.dat square.dat", 2);
-  EXPECT_TRUE(has(bad.err, "bad.dat:4:1:"));
-  diff("--family nonsense", 2);
-  diff("--pair square.dat", 2);
-  diff("--folder nowhere", 2);
-  diff("--engine nonsense", 2);
-  diff("--cases 0 --family grid", 2);
-}
-
-TEST_F(DiffCommand, reports_how_a_program_ends_and_skips_what_it_refuses) {
-  const Ran crash =
-      diff("--pair square.dat frame.dat --engine 'exec:kill -SEGV $$ #' --shrink-tries 5", 1);
-  EXPECT_TRUE(has(crash.out, "no sum\n  crashed: SIGSEGV"));
-  const auto report = nlohmann::json::parse(content("oplus-findings/diff.json"));
-  EXPECT_TRUE(report.at("counterexamples").contains("crashed: SIGSEGV"));
-  diff("--pair square.dat frame.dat --engine 'exec:sleep 100000 #' --time-limit 0.2 --shrink 0", 1);
-  const Ran none = diff("--pair square.dat frame.dat --engine 'exec:exit 77 #'", 2);
-  EXPECT_TRUE(
-      has(none.out,
-          "skipped: square.dat frame.dat: exec:exit 77 #: it gives no reason; exec:exit 77 #: "
-          "it computes closed sums only"));
-  EXPECT_TRUE(has(none.out, "1 open sum unsupported, 1 sum refused, 1 skipped"));
 }
 
 TEST_F(DiffCommand, reproduces_a_failure_by_the_printed_line) {
@@ -246,17 +118,6 @@ TEST_F(DiffCommand, ends_at_once_at_the_second_interrupt) {
       "kill -TERM $run; wait $run",
       128 + SIGTERM);
   EXPECT_FALSE(files().contains("oplus-findings"));
-}
-
-TEST_F(DiffCommand, lists_other_libraries_in_its_help) {
-  const Ran help = diff("--help", 0);
-  for (const char* part :
-       {"cgal-reduced ", "cgal-greene ", "clipper ", "boost-polygon ", "exec:CMD "})
-    EXPECT_TRUE(has(help.out, std::string("\n  ") + part));
-  const Ran unknown = diff("--engine cgal-reducd --family grid", 2);
-  EXPECT_TRUE(has(unknown.err,
-                  "unknown engine 'cgal-reducd'; did you mean cgal-reduced? the engines "
-                  "are all, slide, "));
 }
 
 }  // namespace

@@ -43,7 +43,7 @@ COUNTED = {
     "tests/properties/proofs/faults.py": '    ("a fault"', "properties/fuzz/CMakeLists.txt": "oplus_fuzz_target(wkt 3)",
     "properties/fuzz/seeds/wkt/a": "", "docs/fuzz.md": "| `a-fault`: it is wrong |\n    oplus a\n", "reference/a.hpp": "OPLUS_REQUIRES(a)",
     "checked/a.cpp": " OPLUS_ENSURES(a)", "docs/examples/cpp/a.cpp": "", "docs/findings/a.cpp": "",
-    "tests/data/esicup/a.wkt": "", "tests/corpus/cases.json": '{"cases": [1, 2]}',
+    "tests/data/esicup/a.wkt": "", "tests/corpus/cases.json": '{"cases": [1, 2]}', "tests/a/transcripts/a.txt": "$ oplus\n",
     "docs/cost.csv": "version,lines of Coq,core-seconds of check,of release,of fuzz,of tests,number of tests,cases in C++,in Python\n"
                      "today,2345,60,60,60,120,5,2,1\n",
     "docs/tests.csv": "kind,default tests,core-seconds,other tests\nchecked,5,119,2\n",

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "properties/runner/properties_command.hpp"
 
-#include <cstdlib>
 #include <sstream>
 
 #include "properties/runner/finding.hpp"
@@ -122,29 +121,6 @@ TEST_F(PropertiesCommand, ProgramTriesAPairFromFiles) {
   oplus_check("properties --cases 5" + pair, 2);
 }
 
-TEST_F(PropertiesCommand, ProgramRefusesInvalidUsage) {
-  oplus_check("", 2);
-  oplus_check("properties --cases 0", 2);
-  oplus_check("properties --cases many", 2);
-  oplus_check("properties --pair only_one.dat", 2);
-  const std::string text = oplus_check("properties --pair no_such_p.dat no_such_q.dat", 2);
-  EXPECT_TRUE(has(text, "no_such_p.dat"));
-}
-
-/// RC_PARAMS lets RapidCheck skip a run, cut it short, draw other cases or replay a stale failure.
-TEST_F(PropertiesCommand, ProgramIgnoresTheEnvironmentVariablesOfRapidCheck) {
-  const std::string run = "properties --theorem fact-convolution-size --cases 60 --seed 3";
-  const std::string text = oplus_check(run, 0);
-  EXPECT_TRUE(has(text, "60 cases run"));
-  // The second string is what RapidCheck itself prints after a failure of some other test.
-  for (const char* params : {"max_success=0", "reproduce=BwyehNmchxWZhNEIwdWZyAiMysGcFNHd",
-                             "max_size=1 seed=5", "noshrinking=1", "reproduce=", "no parameters"}) {
-    ASSERT_EQ(setenv("RC_PARAMS", params, 1), 0);
-    EXPECT_EQ(oplus_check(run, 0), text) << params;
-    unsetenv("RC_PARAMS");
-  }
-}
-
 TEST_F(PropertiesCommand, ProgramUnderstandsTheLineThatReplays) {
   const Summands pair = generate(*find_family("components"), 4, 5);
   const std::string line =
@@ -171,23 +147,6 @@ TEST_F(PropertiesCommand, ProgramListsStatements) {
     EXPECT_TRUE(has(text, s.id));
     EXPECT_TRUE(has(text, relative_file(s)));
   }
-  const std::string entry = oplus_check("theorems theorem-2.3.2", 0);
-  EXPECT_TRUE(has(entry, "reflex"));
-  const std::string proved = oplus_check("theorems lemma-4.1.4", 0);
-  for (const char* part : {"\nBacked by: machine-checked as printed, ", "; sampled, ", " pairs\n",
-                           "\nPage: docs/theorems/lemma-4.1.4.md\n"})
-    EXPECT_TRUE(has(proved, part));
-}
-
-TEST_F(PropertiesCommand, ProgramSuggestsTheNearestStatement) {
-  for (const std::string command : {"theorems", "properties --theorem"}) {
-    const std::string text = oplus_check(command + " lema-4.1.4", 2);
-    EXPECT_EQ(text,
-              "oplus-check: unknown statement 'lema-4.1.4'; did you mean lemma-4.1.4? 'oplus-check "
-              "theorems' lists all\n");
-  }
-  const std::string text = oplus_check("theorems gravity", 2);
-  EXPECT_EQ(text, "oplus-check: unknown statement 'gravity'; 'oplus-check theorems' lists all\n");
 }
 
 }  // namespace

@@ -3,7 +3,9 @@
 
 import functools
 import gzip
+import hashlib
 import http.server
+import re
 import threading
 from urllib.parse import urlsplit
 
@@ -59,6 +61,15 @@ def test_little_is_loaded(first_visit):
 
 def test_all_of_it_is_small():
     assert sum(file.stat().st_size for file in FOLDER.rglob("*") if file.is_file()) <= 1_000_000
+
+
+def test_what_is_kept_is_what_is_there():
+    there = sorted(f"./{file.relative_to(FOLDER)}" for file in FOLDER.rglob("*")
+                   if file.is_file() and file.parent.name != "LICENSES" and file.name != "offline.js")
+    sums = "".join(f"{hashlib.sha256((FOLDER / name).read_bytes()).hexdigest()}  {name}\n" for name in there)
+    worker = (FOLDER / "offline.js").read_text(encoding="utf-8")
+    assert re.findall(r'"(\./[^"]*)"', worker) == ["./", *there]
+    assert f'version = "oplus-{hashlib.sha256(sums.encode()).hexdigest()[:16]}"' in worker
 
 
 def test_without_a_network(first_visit):

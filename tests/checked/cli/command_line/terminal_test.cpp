@@ -12,73 +12,22 @@ namespace {
 
 class Terminal : public ShellWithRegions {
  protected:
-  Terminal() { put("turned.wkt", "POLYGON ((0 0, 0 2, 2 2, 2 0, 0 0))"); }  // clockwise
-
   /// The output of the command on a new terminal.
-  std::string on_terminal(const std::string& settings, const std::string& command) const {
-    return run("env -u NO_COLOR TERM=xterm " + settings + " script -qefc '" + command + "' seen")
-        .out;
+  std::string on_terminal(const std::string& command) const {
+    return run("env -u NO_COLOR TERM=xterm script -qefc '" + command + "' seen").out;
   }
 };
-
-const std::string red = "\033[31m", green = "\033[32m", plain = "\033[0m";
-
-TEST_F(Terminal, colours_are_for_terminals_that_want_them) {
-  const std::string compare = "oplus compare square.wkt square.wkt";
-  EXPECT_EQ(on_terminal("", compare), green + "equal" + plain + "\r\n");
-  EXPECT_EQ(on_terminal("NO_COLOR=1", compare), "equal\r\n");
-  EXPECT_EQ(on_terminal("NO_COLOR=", compare), green + "equal" + plain + "\r\n");
-  EXPECT_EQ(on_terminal("TERM=dumb", compare), "equal\r\n");
-  EXPECT_EQ(on_terminal("", compare + " --color never"), "equal\r\n");
-  EXPECT_EQ(on_terminal("NO_COLOR=1", compare + " --color always"),
-            green + "equal" + plain + "\r\n");
-  EXPECT_EQ(run("unset NO_COLOR; TERM=xterm " + compare).out, "equal\n");
-  EXPECT_EQ(run("NO_COLOR=1 oplus --color always compare square.wkt square.wkt").out,
-            green + "equal" + plain + "\n");
-}
-
-TEST_F(Terminal, errors_and_differences_are_red) {
-  EXPECT_EQ(run("oplus --color=always compare square.wkt turned.wkt --quiet").out.substr(0, 18),
-            red + "not equal" + plain);
-  for (const std::string command :
-       {"oplus --color always sum", "oplus sum --color always", "oplus --color always nonsense",
-        "oplus --color always compare square.wkt missing.wkt"})
-    EXPECT_EQ(run(command).err.substr(0, 16), red + "oplus:" + plain + " ") << command;
-  EXPECT_EQ(run("oplus-check --color always diff --nonsense").err.substr(0, 21),
-            red + "oplus-check:" + plain);
-  EXPECT_TRUE(has(
-      run("oplus-check diff --engine slide --pair square.wkt square.wkt --color always").out,
-      green + "1 case run, each closed and open, 0 skipped, 0 with a disagreement" + plain + "\n"));
-}
-
-TEST_F(Terminal, quiet_leaves_results_and_errors) {
-  const std::string sum = "sum square.wkt turned.wkt --grid 0.7";
-  const Ran loud = run("oplus " + sum);
-  EXPECT_EQ(loud.lines_of_err(), 2) << loud.err;  // orientation, rounding
-  for (const std::string& command : {"oplus --quiet " + sum, "oplus " + sum + " --quiet"})
-    expect_output(command, loud.out);
-  EXPECT_EQ(run("oplus --quiet sum square.wkt missing.wkt").lines_of_err(), 1);
-  EXPECT_TRUE(has(run("oplus --quiet sum square.wkt turned.wkt --stats").err, "area: 9\n"));
-
-  const std::string diff = "oplus-check diff --family grid --cases 5";
-  const Ran progress = run(diff), none = run(diff + " --quiet");
-  EXPECT_TRUE(has(progress.err, "diff: 5 of 5\n"));
-  EXPECT_EQ(none.err, "");
-  EXPECT_EQ(none.out, progress.out);
-  EXPECT_EQ(run("oplus-check --quiet properties --theorem lemma-4.1.4 --cases 5").out,
-            "1 passed, 0 failed\n");
-}
 
 TEST_F(Terminal, a_file_that_takes_long_to_read_shows_how_far_it_is) {
   // The writer into the pipe waits until it is shown, but not for ever.
   put("slow",
       "(for i in {1..600}; do grep -q reading seen && break; sleep 0.1; done; cat square.wkt) |\n"
       "oplus reflect -");
-  const std::string shown = on_terminal("", "bash slow");
+  const std::string shown = on_terminal("bash slow");
   EXPECT_TRUE(has(shown, "\rreading standard input ... "));
   EXPECT_TRUE(has(shown, "\r\033[KPOLYGON ((0 0, -1 0"));
   put("slow", "(sleep 1.5; cat square.wkt) | oplus reflect - $*");
-  EXPECT_EQ(on_terminal("", "bash slow --quiet").substr(0, 7), "POLYGON");
+  EXPECT_EQ(on_terminal("bash slow --quiet").substr(0, 7), "POLYGON");
   EXPECT_EQ(run("bash slow").err, "");
 }
 
@@ -119,7 +68,7 @@ TEST_F(Terminal, a_sum_that_takes_long_to_write_says_so) {
       "mkfifo pipe\n"
       "(for i in {1..600}; do grep -q writing seen && break; sleep 0.1; done; cat pipe >got) &\n"
       "oplus sum square.wkt square.wkt -o pipe --format wkt; wait; cat got");
-  const std::string shown = on_terminal("", "bash slow");
+  const std::string shown = on_terminal("bash slow");
   EXPECT_TRUE(has(shown, "\rwriting the sum ... "));
   EXPECT_TRUE(has(shown, "\r\033[KPOLYGON ((0 0, 2 0"));
 }
@@ -137,6 +86,7 @@ TEST_F(Terminal, other_streams_are_not_coloured) {
 }
 
 TEST_F(Terminal, the_last_line_is_the_verdict) {
+  const std::string red = "\033[31m", green = "\033[32m", plain = "\033[0m";
   speech().colours = ColourUse::always;
   EXPECT_EQ(with_painted_verdict("a\nb\nc\n", Paint::good, std::cout),
             "a\nb\n" + green + "c" + plain + "\n");
