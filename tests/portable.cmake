@@ -8,7 +8,8 @@ add_executable(oplus-core-tests ${core_tests} main.cpp)
 target_link_libraries(oplus-core-tests PRIVATE oplus_families oplus_strict nlohmann_json::nlohmann_json GTest::gtest)
 target_compile_options(oplus-core-tests PRIVATE -O0)
 if(CMAKE_CXX_FLAGS MATCHES "-stdlib=libc\\+\\+")
-  target_sources(oplus-core-tests PRIVATE platforms/printed_numbers.cpp)
+  set_source_files_properties(main.cpp PROPERTIES COMPILE_OPTIONS
+                              "-include;${CMAKE_CURRENT_SOURCE_DIR}/platforms/printed_numbers.hpp")
 endif()
 if(MINGW)
   # What is not inlined has a section each, with names that are too long together. GCC 12 misunderstands what is.

@@ -408,7 +408,7 @@ class Test(ProgramTest):
     def usage(self):
         for arguments, code, wanted in (
                 (["--help"], 0, "Usage: oplus-certified"), (["-h"], 0, "Exit codes:"),
-                (["--version"], 0, "oplus-certified 0."), ([], 2, "0 files; expected P Q S CERTIFICATE"),
+                (["--version"], 0, "oplus-certified 1."), ([], 2, "0 files; expected P Q S CERTIFICATE"),
                 (5 * ["x"], 2, "5 files"), (["--fast"], 2, "the option '--fast' is not known"),
                 (4 * ["/nowhere"], 2, "/nowhere: No such file"), (4 * ["/"], 2, "/:1: Is a directory")):
             got, said = run([self.program, *arguments])

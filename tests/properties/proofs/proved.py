@@ -276,7 +276,7 @@ class Test(ProgramTest):
 
     def usage(self):
         for arguments, code, wanted in (
-                ("--help", 0, "Usage: oplus-proved"), ("sum -h", 0, "Exit codes:"), ("--version", 0, "oplus-proved 0."),
+                ("--help", 0, "Usage: oplus-proved"), ("sum -h", 0, "Exit codes:"), ("--version", 0, "oplus-proved 1."),
                 ("", 2, "no command; expected sum, nfp, ifp, erode"), ("add p q", 2, "the command 'add' is not known"),
                 ("sum", 2, "0 files; expected P Q"), ("sum p", 2, "1 files; expected P Q"), ("nfp p q r", 2, "3 files"),
                 ("complement", 2, "0 files; expected P (see"), ("complement p q", 2, "2 files; expected P (see"),

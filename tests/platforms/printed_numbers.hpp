@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
 #include <gmpxx.h>
 
 #include <ostream>
