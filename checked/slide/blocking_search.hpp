@@ -338,7 +338,7 @@ class BlockingSearch {
                          const Fraction<Numbers>& from, const Fraction<Numbers>& to) {
     if constexpr (!has_fixed_width<Numbers>) {
       const bool edge_of_p = segment.contact[0].first == segment.contact[1].first;
-      const auto& [i, j] = segment.contact[1];
+      const EdgePair& at_source = segment.contact[1];
       const NearVector direction = NearVector::of(segment.exact.direction);
       const auto place = [&](const Fraction<Numbers>& t) {
         // From the nearer end of the segment, so that what is left of its length there is precise.
@@ -347,14 +347,16 @@ class BlockingSearch {
             near_number(at_target ? t.numerator() - t.denominator() : t.numerator()) /
             near_number(t.denominator());
         const NearVector along = part * direction;
-        return LeadingPlace{from_ends(summands_.p, i, at_target && edge_of_p, pair.first),
-                            from_ends(summands_.q, j, at_target && !edge_of_p, pair.second),
-                            {along, abs(along)}};
+        return LeadingPlace{
+            from_ends(summands_.p, at_source.first, at_target && edge_of_p, pair.first),
+            from_ends(summands_.q, at_source.second, at_target && !edge_of_p, pair.second),
+            {along, abs(along)}};
       };
-      if (certainly_beyond_a_side(
-              {place(from), place(to)},
-              {summands_.p.leading[pair.first].direction, edge_of_p && i == pair.first},
-              {summands_.q.leading[pair.second].direction, !edge_of_p && j == pair.second})) {
+      if (certainly_beyond_a_side({place(from), place(to)},
+                                  {summands_.p.leading[pair.first].direction,
+                                   edge_of_p && at_source.first == pair.first},
+                                  {summands_.q.leading[pair.second].direction,
+                                   !edge_of_p && at_source.second == pair.second})) {
         ++effort.by_doubles;
         return true;
       }
