@@ -19,28 +19,51 @@ LEAST = {"lines": 98, "branches": 95}
 MUTANT = "Only a fault that is put in leads here ([mutants](mutants.md)); this build has none."
 
 
-def lines_covered(segments):
-    """By line: whether it is run. Lines without code are left out."""
-    found, at_end = {}, None  # the count with which the line before ends, if it has one
-    for line in range(segments[0][0], segments[-1][0] + 1) if segments else ():
-        here = [segment for segment in segments if segment[0] == line]
-        entered = [count for _, _, count, has_count, is_entry, is_gap in here if has_count and is_entry and not is_gap]
-        left_out = here and here[0][4] and not here[0][3]
-        if not left_out and (at_end is not None or entered):
-            found[line] = max([at_end or 0, *entered]) > 0
-        if here:
-            at_end = here[-1][2] if here[-1][3] else None
+CODE, EXPANSION, SKIPPED, GAP = range(4)  # kinds of regions
+
+
+def lines_run(regions):
+    """By line of one instance: whether it is run. The innermost region around a line counts, and what begins in it."""
+    around, begun = {}, defaultdict(list)
+    for line, _, last, end, count, kind in sorted(regions, key=lambda region: (*region[:2], -region[2], -region[3])):
+        # What is skipped, a comment or an empty line, has whole lines.
+        for one in range(line + (kind != SKIPPED), last + (end > 1 or line == last)):
+            around[one] = None if kind == SKIPPED else count
+        if kind in (CODE, EXPANSION):
+            begun[line].append(count)
+    found = {line: count > 0 for line, count in around.items() if count is not None}
+    return found | {line: max(*counts, around.get(line) or 0) > 0 for line, counts in begun.items()}
+
+
+def lines_covered(instances):
+    """By line of a file: whether any instance of the function runs it; of functions within each other, such as lambdas, of
+    the innermost one."""
+    functions = defaultdict(lambda: defaultdict(bool))
+    for regions in instances:
+        of_function = functions[tuple(regions[0][:4])]
+        for line, is_run in lines_run(regions).items():
+            of_function[line] |= is_run
+    found = {}
+    for (first, *_), of_function in sorted(functions.items(), key=lambda entry: (*entry[0][:2], -entry[0][2], -entry[0][3])):
+        for line, is_run in of_function.items():
+            found[line] = is_run or (line == first and found.get(line, False))
     return found
 
 
-def branches_covered(functions):
-    """By file, and by span and outcome: whether the branch has it. A condition that the compiler decides is left out."""
-    found = defaultdict(lambda: defaultdict(bool))
+def by_file(functions):
+    """By file, the regions of each instance of a function; and by span and outcome: whether a branch has it in any instance.
+    A condition that the compiler decides is left out."""
+    instances, branches = defaultdict(list), defaultdict(lambda: defaultdict(bool))
     for function in functions:
-        for branch in function["branches"]:
-            for outcome, count in ((True, branch[4]), (False, branch[5])):
-                found[function["filenames"][branch[6]]][(*branch[:4], outcome)] |= count > 0
-    return found
+        regions = defaultdict(list)
+        for *span, count, file, _, kind in function["regions"]:
+            regions[function["filenames"][file]].append((*span, count, kind))
+        for name, of_file in regions.items():
+            instances[name].append(of_file)
+        for *span, taken, not_taken, file, _, _ in function["branches"]:
+            for outcome, count in ((True, taken), (False, not_taken)):
+                branches[function["filenames"][file]][(*span, outcome)] |= count > 0
+    return instances, branches
 
 
 def of_mutant(text, line, column):
@@ -61,9 +84,12 @@ def of_mutant(text, line, column):
 
 
 class File:
-    def __init__(self, name, text, segments, branches):
+    def __init__(self, name, text, instances, branches):
         self.name, self.text = name, text
-        self.lines, self.branches = lines_covered(segments), branches
+        # What is by default nobody wrote.
+        written = [not line.endswith("= default;") for line in text.split("\n")]
+        self.lines = {line: covered for line, covered in lines_covered(instances).items() if written[line - 1]}
+        self.branches = {place: covered for place, covered in branches.items() if written[place[0] - 1]}
 
     def uncovered(self):
         """(line, column, what is not covered) of each line, and of each side of a branch in a line that is."""
@@ -76,18 +102,20 @@ class File:
                 parts = code[line - 1:last]
                 parts[-1] = parts[-1][:end - 1]
                 condition = " ".join(part.strip() for part in [parts[0][column - 1:], *parts[1:]])
-                yield line, column, f"`{condition}` is never {str(outcome).lower()}"
+                if condition == ":":  # of a loop over a range
+                    yield line, column, f"`{code[line - 1].strip()}` {'has no turn' if outcome else 'never ends'}"
+                else:
+                    yield line, column, f"`{condition}` is never {str(outcome).lower()}"
 
 
 def files_of(exported, root):
     """The files of the core."""
-    data = exported["data"][0]
-    branches = branches_covered(data["functions"])
-    for entry in data["files"]:
+    instances, branches = by_file(exported["data"][0]["functions"])
+    for path, of_file in instances.items():
         # ccache makes it relative to the folder of the build, which may be another clone's.
-        name = entry["filename"].rpartition("/../")[2].removeprefix(f"{root}/")
+        name = path.rpartition("/../")[2].removeprefix(f"{root}/")
         if CORE.fullmatch(name):
-            yield File(name, (root / name).read_text(encoding="utf-8"), entry["segments"], branches[entry["filename"]])
+            yield File(name, (root / name).read_text(encoding="utf-8"), of_file, branches[path])
 
 
 def read_reasons(text):
@@ -102,12 +130,16 @@ def read_reasons(text):
 
 
 def by_reason(files, reasons):
-    """{reason: [line of the page]}; what has no reason has an empty one."""
+    """{reason: [line of the page]}; what has no reason has an empty one. Of lines that follow one another, the first is named."""
     found = defaultdict(list)
     for file in files:
+        before = (0, "")
         for line, column, what in file.uncovered():
             named = [reason for reason, name, part in reasons if name == file.name and part in what]
-            reason = named[0] if named else MUTANT if of_mutant(file.text, line, column) else ""
+            inherited = before[1] if before[0] == line - 1 else ""
+            reason = named[0] if named else MUTANT if of_mutant(file.text, line, column) else inherited
+            if " is never " not in what:
+                before = (line, reason)
             found[reason].append(f"- {file.name}, line {line}: {what}")
     return found
 
