@@ -76,7 +76,7 @@ GridPolygon image(const GridPolygon& polygon, std::size_t symmetry) {
   LatticePoint low = result[0];
   for (const LatticePoint& p : result) low = {std::min(low.x, p.x), std::min(low.y, p.y)};
   for (LatticePoint& p : result) p = {p.x - low.x, p.y - low.y};
-  std::ranges::rotate(result, std::ranges::min_element(result));
+  std::rotate(result.begin(), std::ranges::min_element(result), result.end());
   return result;
 }
 

@@ -84,9 +84,8 @@ class BelowVertices {
     return orientation(s.source, s.target, p) > 0;
   }
 
-  /// Of two segments that do not cross and are both to the left of some place.
+  /// Of two segments that do not cross and have both a point on some vertical line. Requires: t does not start after s.
   static bool is_above(const Segment& s, const Segment& t) {
-    if (s.source < t.source) return orientation(s.source, s.target, t.source) < 0;
     const int side = orientation(t.source, t.target, s.source);
     return side != 0 ? side > 0 : orientation(t.source, t.target, s.target) > 0;
   }

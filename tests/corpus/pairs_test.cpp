@@ -122,8 +122,8 @@ TEST(Corpus, every_engine_gives_the_sums_of_every_row) {
                        const std::string& how) {
     for (const Engine& engine : engines()) {
       for (const auto& [name, method] : hole_test_methods()) {
-        const auto sum = [&](Boundary boundary) {
-          return engine.compute(p, q, boundary, {.hole_test = method}).sum;
+        const auto sum = [&, hole_test = method](Boundary boundary) {
+          return engine.compute(p, q, boundary, {.hole_test = hole_test}).sum;
         };
         EXPECT_EQ(sum(Boundary::closed), row.closed) << engine.name << ", " << name << how;
         EXPECT_EQ(sum(Boundary::open), row.open) << engine.name << ", " << name << how;

@@ -6,14 +6,14 @@
 #include <CGAL/mpq_class.h>
 
 #include <iterator>
-#include <ranges>
 
 namespace oplus {
 
 Chain convex_hull(const std::vector<Chain>& chains) {
   using Kernel = CGAL::Simple_cartesian<Rational>;
   std::vector<Kernel::Point_2> all, hull;
-  for (const Point& p : chains | std::views::join) all.emplace_back(p.x, p.y);
+  for (const Chain& chain : chains)
+    for (const Point& p : chain) all.emplace_back(p.x, p.y);
   CGAL::convex_hull_2(all.begin(), all.end(), std::back_inserter(hull));
   Chain corners;
   for (const Kernel::Point_2& p : hull) corners.push_back({p.x(), p.y()});

@@ -56,7 +56,8 @@ class ShownSeams {
         if (least_above(*pair, corner) < 0) fault = to_string(corner) + " is outside of its leaf";
       return *pair;
     }
-    const auto& [line, seam] = std::get<Cut>(here);
+    const Cut& cut = std::get<Cut>(here);
+    const IntegerLine& line = cut.line;
     const auto height = [&](const Point& x) {
       return Rational(line.a * x.x + line.b * x.y + line.c);
     };
@@ -80,7 +81,7 @@ class ShownSeams {
     // In the direction (b, -a).
     const Point across = ends[1] - ends[0];
     if (line.b * across.x - line.a * across.y < 0) std::swap(ends[0], ends[1]);
-    look_at(seam, of_negative, ends[0], ends[1]);
+    look_at(cut.seam, of_negative, ends[0], ends[1]);
     return of_positive;
   }
 

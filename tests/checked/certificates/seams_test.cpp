@@ -83,6 +83,16 @@ TEST(Seams, of_an_open_set_that_is_no_sum_there_are_none) {
   EXPECT_THROW(open_certificate(frame, part, open), PointOutsideSum);
 }
 
+TEST(Seams, of_an_inner_fit_are_within_what_is_written_first) {
+  Certificate made;
+  made.claim = Claim::inner_fit;
+  made.unit = 1;
+  made.outer = {polygon({{0, 0}, {1, 0}, {0, 1}}), {{{2, 0}, {3, 0}}}, {{4, 0}}};
+  EXPECT_EQ(written(made).substr(0, 98),
+            "oplus certificate 2\nclaim ifp\nouter 1\n0 0 1 0 0 1\nouter-edges 1\n2 0 3 0\n"
+            "outer-points 1\n4 0\nunit 1\n");
+}
+
 TEST(Seams, are_written_behind_cuts_and_by_their_ends) {
   Certificate made;
   made.claim = Claim::open_sum;

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+
 #include "reference/definitions/region.hpp"
 #include "reference/families/random.hpp"
 #include "reference/io/invalid_input.hpp"
@@ -104,6 +107,23 @@ TEST(ReadingALayout, of_parts_and_placements) {
   expect_refusal("{\"parts\": \n" + std::string(1, '\0') + "}", "in:2:1: the byte");
 }
 
+TEST(ReadingALayout, of_files_beside_it) {
+  const std::filesystem::path folder = testing::TempDir();
+  std::ofstream(folder / "oplus-part.wkt") << "POLYGON((0 0,1 0,0 1,0 0))";
+  std::ofstream(folder / "oplus-layout.json") << R"~({"parts": {"a": {"file": "oplus-part.wkt"}},
+"placements": [{"part": "a"}], "defects": ["POLYGON((5 5,6 5,5 6,5 5))"]})~";
+  EXPECT_EQ(described(read_layout_file((folder / "oplus-layout.json").string(), error)),
+            "[ - POLYGON ((5 5, 6 5, 5 6, 5 5)) 0]\na:2 POLYGON ((0 0, 1 0, 0 1, 0 0))");
+}
+
+TEST(ReadingALayout, after_a_byte_order_mark_and_beyond_the_plane) {
+  const Layout layout = read(
+      "\xEF\xBB\xBF{\"type\": \"Polygon\", \"coordinates\": [[[0,0,5],[1,0,5],[0,1,5],[0,0,5]]]}");
+  EXPECT_EQ(described(layout), "[]\n:1 POLYGON ((0 0, 1 0, 0 1, 0 0))");
+  EXPECT_EQ(layout.notes.at(0),
+            "in: of 4 vertices with more than two coordinates, only x and y were read");
+}
+
 const std::string items =
     R"~({"items": [{"id": 7, "demand": 1, "min_quality": 1, "shape": {"type": "simple_polygon", "data":
 [[0.5,0],[2,0],[2,0],[2,1],[0.5,0]]}}, {"id": 8, "shape": {"type": "rectangle", "data": {"x_min": 0, "y_min": 0, "width": 2, "height": 1}}}],)~";
@@ -131,6 +151,22 @@ TEST(ReadingALayout, of_jagua_rs_and_sparrow) {
       "item 8:4 POLYGON ((1 1, 3 1, 3 2, 1 2, 1 1))");
   expect_refusal(with("9"), "in:4:75: part 1: there is no item 9; expected the id of an item");
   expect_refusal(items.substr(0, items.size() - 1) + "}", "in:1:1: items without a 'solution'");
+  std::string other = with("8");
+  expect_refusal(other.replace(other.find("container_id\": 3"), 16, "container_id\": 4"),
+                 "in:4:43: there is no container 4; expected the id of one");
+  for (const std::string quality : {"1.5", "1e10"}) {
+    std::string text = with("7");
+    expect_refusal(text.replace(text.find("min_quality\": 1"), 15, "min_quality\": " + quality),
+                   "in:1:50: item 7: 'min_quality' is '" + quality + "'; expected an integer");
+  }
+  std::string without = with("7");
+  without.replace(without.find("min_quality\": 1"), 15, "min_quality\": null");
+  EXPECT_FALSE(read(without).sheets[0].parts[0].least_quality);
+  without.insert(without.find("\"layouts\""),
+                 R"~("containers": [{"id": 5, "shape": {"type": "rectangle",
+"data": {"x_min": 0, "y_min": 0, "width": 7, "height": 7}}}],)~");
+  without.replace(without.find("container_id\": 3"), 16, "container_id\": 5");
+  EXPECT_EQ(wkt(*read(without).sheets[0].container), "POLYGON ((0 0, 7 0, 7 7, 0 7, 0 0))");
 }
 
 TEST(ReadingALayout, of_packingsolver) {
@@ -163,6 +199,12 @@ TEST(ReadingALayout, of_packingsolver) {
   open.replace(open.rfind("\"xe\": 0"), 7, "\"xe\": 1");
   expect_refusal(
       open, "in:4:11: bin 1: an element starts at (0, 0), and the one before it ends at (1, 0)");
+  std::string with_hole = bin("4");
+  with_hole.insert(with_hole.rfind('}') - 2, ", \"holes\": [[" + line("1", "1", "1", "2") + "," +
+                                                 line("1", "2", "2", "1") + "," +
+                                                 line("2", "1", "1", "1") + "]]");
+  EXPECT_EQ(wkt(*read(with_hole).sheets[0].container),
+            "POLYGON ((0 0, 4 0, 0 4, 0 0), (1 1, 1 2, 2 1, 1 1))");
   std::string arc = bin("4");
   arc.replace(arc.rfind("LineSegment"), 11, "CircularArc");
   expect_refusal(arc, "in:4:");
@@ -187,6 +229,13 @@ TEST(ReadingALayout, of_svg) {
             "[POLYGON ((0 0, 9 0, 9 8.5, 0 8.5, 0 0))]\n"
             ":3 POLYGON ((1 2, 1 6, -3 6, -3 2, 1 2), (0 3, -1 3, -1 4, 0 4, 0 3))\n"
             "p:4 POLYGON ((-4 4, -4 2, -2 2, -4 4))");
+  EXPECT_EQ(described(read("<?xml version=\"1.0\"?><!DOCTYPE svg>" +
+                           svg(R"~(<!-- <g> > --><style><![CDATA[<g>]]></style><symbol id="s"/>
+<g display="none"><path d="M0 0 h1 v1z"/></g><rect class="the bin of them" width="9" height="9"/>
+<rect class="holes binary" width="1" height="1"/>)~"))),
+            "[POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0))]\n:4 POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))");
+  expect_refusal("<!DOCTYPE svg [<!ENTITY a 'b'>]>" + svg(""),
+                 "in:1:1: a document type with declarations");
   const std::pair<std::string, std::string> refused[] = {
       {R"~(<path d="M0 0 L 1 1 1 0 0 1z"/>)~",
        "in:2:21: part 1: two edges of outer chain of component 1 cross"},
@@ -197,6 +246,11 @@ TEST(ReadingALayout, of_svg) {
       {R"~(<path d="M0 0H9V9zM1 1 2 2z"/>)~",
        "in:2:20: part 1: outer chain of component 2 has 2 vertices"},
       {R"~(<circle r="1"/>)~", "in:2:2: the element circle is a curve"},
+      {R"~(<a><ellipse rx="1"/></a>)~", "in:2:5: the element ellipse is a curve"},
+      {R"~(<symbol id="s"/><use href="#s"/>)~", "in:2:2: the element symbol"},
+      {R"~(<rect width="2" height="1"/><path class="hole" transform="scale(1)" d="M0 0 1 0 1 1z"/>)~",
+       "in:2:30: part 1: a hole with a transform of its own"},
+      {R"~(<g transform="scale(2"/>)~", "in:2:22: the end of a transform"},
       {R"~(<rect width="2" height="1" rx="0.5"/>)~",
        "in:2:32: part 1: a rectangle with round corners"},
       {R"~(<rect width="2cm" height="1"/>)~", "in:2:14: part 1: width: "},

@@ -151,5 +151,32 @@ TEST(OperationsOfSets, of_regions_are_those_of_regions) {
   }
 }
 
+TEST(OperationsOfSets, are_those_of_regions_by_any_name) {
+  EXPECT_EQ(operation_names(),
+            (std::vector<std::string>{"sum", "nfp", "ifp", "erode", "open", "close"}));
+  EXPECT_THROW(operation_called("none"), std::invalid_argument);
+  const auto [p, q] = generate(*find_family("star"), 8, 1);
+  for (const Boundary boundary : {Boundary::closed, Boundary::open}) {
+    const Operation& sum = operation_called("sum", boundary);
+    EXPECT_EQ(sum.compute(p, q, by_slide), by_slide(p, q, boundary));
+    EXPECT_EQ(sum.compute_of_sets(canonical_sum(p), canonical_sum(q), by_slide),
+              by_slide(p, q, boundary));
+    EXPECT_EQ(sum.compute_of_sets(canonical_sum(p), {}, by_slide), PlanarSet{});
+  }
+}
+
+/// A point fits where the set is; nothing unbounded fits a bounded one.
+TEST(OperationsOfSets, inner_fits_of_a_point_and_of_what_is_unbounded) {
+  const Chain square{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, hole{{1, 1}, {1, 2}, {2, 2}, {2, 1}};
+  const PlanarSet origin{{}, {}, {}, {{0, 0}}};
+  const Operation& inner_fit = operation_called("ifp");
+  for (const PlanarSet& set :
+       {PlanarSet{{square}, {}, {}, {}}, PlanarSet{{square}, {hole}, {}, {}}})
+    EXPECT_EQ(inner_fit.compute_of_sets(set, origin, by_slide), set);
+  const PlanarSet outside = complement(PlanarSet{{square}, {}, {}, {}});
+  EXPECT_EQ(inner_fit.compute_of_sets(outside, origin, by_slide), outside);
+  EXPECT_EQ(inner_fit.compute_of_sets({{square}, {}, {}, {}}, outside, by_slide), PlanarSet{});
+}
+
 }  // namespace
 }  // namespace oplus

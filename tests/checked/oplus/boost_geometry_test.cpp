@@ -93,6 +93,10 @@ TEST(ToBoost, leaves_out_what_bounds_no_face) {
   EXPECT_EQ(from_boost(polygons), sum.region());
 }
 
+TEST(ToBoost, refuses_what_is_unbounded) {
+  EXPECT_THROW(to_boost<Polygons<double>>(complement(frames)), std::invalid_argument);
+}
+
 TEST(FromBoost, takes_rings) {
   const ValidRegion expected = polygon({{0, 0}, {4, 0}, {0, 4}});
   EXPECT_EQ(from_boost(user::Outline{{0, 0}, {4, 0}, {0, 4}, {0, 0}}), expected);

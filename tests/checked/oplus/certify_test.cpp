@@ -64,6 +64,12 @@ TEST(Certify, sums_of_closed_regions_and_of_their_interiors) {
   EXPECT_TRUE(certify(frame, part, given, Boundary::open)
                   .starts_with("oplus certificate 2\nclaim open-sum\n"));
   EXPECT_THROW(certify(frame, part, without_points, Boundary::open), InvalidInput);
+  const ValidRegion flat = polygon({{0, 0}, {2, 0}, {2, 1}, {0, 1}});
+  const ValidSet with_edge = minkowski_sum(frame, flat, {.boundary = Boundary::open});
+  ASSERT_EQ(with_edge.dangling_edges().size(), 1u);
+  EXPECT_NE(certify(frame, flat, {with_edge.region().region(), with_edge.dangling_edges(), {}},
+                    Boundary::open),
+            "");
 }
 
 TEST(Certify, a_vertex_may_not_repeat_the_one_before) {

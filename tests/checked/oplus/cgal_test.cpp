@@ -125,6 +125,13 @@ TEST(FromCgal, takes_infinite_precision_of_lazy_numbers) {
             (Chain{{0, 0}, {Rational(1, 3), 0}, {0, Rational(1, 9)}}));
 }
 
+TEST(FromCgal, takes_floating_point_numbers_of_any_precision) {
+  using Conversion = NumberConversion<CGAL::MP_Float>;
+  EXPECT_EQ(Conversion::exact(CGAL::MP_Float(-0.625)), Rational(-5, 8));
+  EXPECT_EQ(Conversion::exact(Conversion::nearest(-12345678)), -12345678);
+  EXPECT_THROW(Conversion::nearest(Rational(1, 2)), std::domain_error);
+}
+
 TEST(FromCgal, a_missing_outer_boundary_is_that_of_the_plane) {
   CGAL::Polygon_with_holes_2<Kernel> unbounded;
   unbounded.add_hole(polygon_of({{0, 0}, {0, 1}, {1, 0}}));

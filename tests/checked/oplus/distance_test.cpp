@@ -50,10 +50,22 @@ TEST(Distance, needs_points) {
   EXPECT_THROW(distance(frame, {}), InvalidInput);
   EXPECT_THROW(Placements({}, frame), InvalidInput);
   EXPECT_FALSE(depth(frame, {}));
+  EXPECT_FALSE(depth({}, frame));
+}
+
+TEST(Distance, from_the_plane_is_zero_and_no_move_leads_out_of_it) {
+  const ValidRegion plane = complement(ValidRegion());
+  for (const ValidRegion& other : {square, complement(square), plane}) {
+    EXPECT_EQ(distance(plane, other).squared_distance, 0);
+    EXPECT_EQ(distance(other, plane).squared_distance, 0);
+    EXPECT_THROW(depth(plane, other), InvalidInput);
+    EXPECT_THROW(depth(other, plane), InvalidInput);
+  }
 }
 
 TEST(Depth, is_none_where_no_move_is_long_enough) {
   EXPECT_THROW(depth(complement(square), frame), InvalidInput);
+  EXPECT_THROW(depth(frame, complement(square)), InvalidInput);
   EXPECT_THROW(depth(complement(square), complement(frame)), InvalidInput);
   const Placements placements(complement(square), frame);
   EXPECT_EQ(placements.locate({5, 5}), Location::inside);

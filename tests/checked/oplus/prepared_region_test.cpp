@@ -34,6 +34,7 @@ TEST(PreparedRegion, has_the_sums_of_its_region) {
 TEST(PreparedRegion, may_be_unbounded) {
   const PreparedRegion outside(complement(frame));
   EXPECT_EQ(minkowski_sum(outside, plug), minkowski_sum(outside.region(), plug));
+  EXPECT_EQ(minkowski_sum(plug, outside), minkowski_sum(plug, outside.region()));
 }
 
 }  // namespace

@@ -107,6 +107,8 @@ TEST(ValidSet, says_where_its_edges_came_from_if_asked) {
 TEST(ValidSet, has_statistics) {
   const ValidSet sum = minkowski_sum(frame, square);
   EXPECT_NE(sum.statistics().begin(), sum.statistics().end());
+  const Statistics of_temporary = minkowski_sum(frame, square).statistics();
+  EXPECT_EQ(of_temporary.begin()->name, sum.statistics().begin()->name);
 }
 
 TEST(ValidSet, is_the_same_by_each_number_of_threads) {

@@ -52,6 +52,9 @@ TEST(Transformed, refuses_maps_without_inverse) {
   EXPECT_THROW(transformed(frame, AffineMap{1, 1, 1, 1}), InvalidInput);
   EXPECT_THROW(transformed(ValidSet(), AffineMap{0, 0, 0, 1}), InvalidInput);
   EXPECT_THROW(rotation(1, 0), InvalidInput);
+  EXPECT_THROW(rotation(1, -1), InvalidInput);
+  EXPECT_THROW(scaling(1, 0), InvalidInput);
+  EXPECT_THROW(scaling(0), InvalidInput);
 }
 
 TEST(Disc, is_a_valid_region_that_may_be_summed) {

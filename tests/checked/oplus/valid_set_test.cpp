@@ -69,6 +69,10 @@ TEST(ValidSet, that_is_open_is_no_summand_with_edges_or_vertices_of_its_own) {
   const ValidSet fits = minkowski_sum(frame, -square, open);
   ASSERT_EQ(fits.isolated_vertices().size(), 1U);
   EXPECT_THROW(minkowski_sum(fits, ValidSet(square)), InvalidInput);
+  const ValidRegion flat = polygon({{0, 0}, {1, 0}, {1, "1/2"}, {0, "1/2"}});
+  const ValidSet slides = minkowski_sum(frame, flat, open);
+  ASSERT_EQ(slides.dangling_edges().size(), 1U);
+  EXPECT_THROW(minkowski_sum(slides, ValidSet(square)), InvalidInput);
   EXPECT_EQ(minkowski_sum(minkowski_sum(square, square, open), ValidSet(square)),
             minkowski_sum(minkowski_sum(square, square).region(), square));
 }

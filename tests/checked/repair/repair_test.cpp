@@ -8,6 +8,7 @@
 #include "reference/chains/region_of.hpp"
 #include "reference/chains/validity.hpp"
 #include "reference/families/rich_regions.hpp"
+#include "reference/io/unchecked_input.hpp"
 #include "reference/io/writing.hpp"
 #include "tests/reference/definitions/shapes.hpp"
 
@@ -108,6 +109,23 @@ TEST(Repair, of_random_chains_by_a_rule_is_valid) {
   }
   EXPECT_GT(refused, 100);
   EXPECT_LT(refused, 490);
+}
+
+TEST(Repair, no_chain_becomes_a_hole_that_another_one_is_around) {
+  // The one that makes its roles be looked at is the hole that is outside.
+  const Region region{{{box(0, 0, 9, 9), {box(20, 20, 21, 21)}}, {box(1, 1, 2, 2), {}}}};
+  EXPECT_THROW(repaired(unchecked(region, "region")), InvalidInput);
+  EXPECT_THROW(repaired(unchecked(Region{{{{}, {box(0, 0, 1, 1)}}}}, "region")), InvalidInput);
+}
+
+TEST(Repair, by_a_rule_has_regard_to_the_directions_of_a_path) {
+  const auto filled_area = [](const char* path, FillRule rule) {
+    return area(repaired(read_unchecked(path, "in"), rule).region);
+  };
+  const char* const either_way = "M0 0H4V4H0Z M1 1V5H3V1Z";
+  EXPECT_EQ(filled_area(either_way, FillRule::nonzero), 4 * 4 + 2 * 1 - 2 * 3);
+  EXPECT_EQ(filled_area("M0 0H4V4H0Z M1 1H3V5H1Z", FillRule::nonzero), 4 * 4 + 2 * 1);
+  EXPECT_EQ(filled_area(either_way, FillRule::even_odd), 4 * 4 + 2 * 1 - 2 * 3);
 }
 
 }  // namespace

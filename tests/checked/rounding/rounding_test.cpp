@@ -10,6 +10,7 @@
 #include <map>
 #include <regex>
 
+#include "checked/operations/complement.hpp"
 #include "checked/oplus/boost_geometry.hpp"
 #include "checked/rounding/snap_rounding.hpp"
 #include "checked/slide/slide.hpp"
@@ -104,6 +105,13 @@ TEST(Rounded, on_a_side_of_an_open_set_drops_edges_or_puts_areas_in_their_place)
             "POLYGON ((0 0, 10 0, 10 10, 0 10, 0 0)): 1 dangling edge or isolated vertex lost");
   EXPECT_EQ(text(rounded(set, Boundary::open, 1, Side::contained)),
             "POLYGON ((1 1, 9 1, 9 9, 1 9, 1 1), (4 4, 4 5, 5 5, 5 4, 4 4)): 1 hole new");
+}
+
+TEST(Rounded, unbounded_sets_are_rounded_as_their_complements) {
+  const PlanarSet on_grid = complement(set_of("POLYGON ((0 0, 9 0, 9 9, 0 9))"));
+  EXPECT_EQ(rounded(on_grid, Boundary::closed, 1, Side::nearest).set, on_grid);
+  const PlanarSet off_grid = complement(set_of("POLYGON ((0 0, 9 0, 9 9.2, 0 9))"));
+  EXPECT_EQ(rounded(off_grid, Boundary::open, 1, Side::nearest).set, on_grid);
 }
 
 TEST(Rounded, a_set_on_the_grid_stays_as_it_is) {

@@ -56,6 +56,7 @@ TEST(ConvexCover, is_of_one_summand_that_is_convex_and_has_few_edges) {
                .statistics.count("segments inside a convex summand, moved") > 0;
   };
   EXPECT_TRUE(is_used(staircase(100), hexagon));
+  EXPECT_TRUE(is_used(hexagon, staircase(100)));
   EXPECT_FALSE(is_used(staircase(100), staircase(20)));
   Region with_hole = hexagon;
   with_hole.components[0].holes.push_back(backwards(box(8, 4, 10, 6)));

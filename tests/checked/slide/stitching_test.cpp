@@ -97,5 +97,20 @@ TEST(Stitching, starts_a_chain_that_passes_its_smallest_point_twice_as_the_plane
             (std::vector<Chain>{{{0, 0}, {1, -3}, {3, -1}, {0, 0}, {3, 1}, {1, 3}}}));
 }
 
+TEST(Stitching, starts_a_chain_at_the_smallest_of_its_rotations) {
+  using Points = std::vector<std::uint32_t>;
+  const auto rotated = [](const Points& points) {
+    std::vector<StitchedChains::Edge> chain;
+    for (const std::uint32_t from : points) chain.push_back({from, 0, 0});
+    detail::rotate_to_smallest(chain);
+    Points result;
+    for (const StitchedChains::Edge& edge : chain) result.push_back(edge.from);
+    return result;
+  };
+  EXPECT_EQ(rotated({5, 1, 3, 1, 2}), (Points{1, 2, 5, 1, 3}));
+  EXPECT_EQ(rotated({5, 1, 2, 1, 3}), (Points{1, 2, 1, 3, 5}));
+  EXPECT_EQ(rotated({2, 1, 2, 1}), (Points{1, 2, 1, 2}));
+}
+
 }  // namespace
 }  // namespace oplus::slide

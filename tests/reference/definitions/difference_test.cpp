@@ -105,5 +105,38 @@ TEST(Difference, of_values_that_are_not_canonical_still_says_something) {
   EXPECT_NE(d->what.find("canonical"), std::string::npos);
 }
 
+TEST(Difference, far_away_and_of_features_that_both_have) {
+  PlanarSet around;
+  around.holes = {backwards(box(0, 0, 4, 4))};
+  around.is_unbounded = true;
+  const auto far = difference(around, square());
+  ASSERT_TRUE(far);
+  EXPECT_EQ(far->what, "the first covers a place outside the second");
+  EXPECT_EQ(far->witness, (Point{5, 4}));
+  EXPECT_EQ(difference(square(), around)->what, "the second covers a place outside the first");
+
+  const Segment common{{1, 1}, {3, 1}};
+  EXPECT_EQ(checked_difference(square({common, {{1, 2}, {3, 2}}}), square({common}))->witness,
+            (Point{2, 2}));
+  EXPECT_EQ(checked_difference(square({}, {{1, 1}, {2, 2}}), square({}, {{1, 1}}))->witness,
+            (Point{2, 2}));
+}
+
+TEST(Difference, of_an_edge_with_the_same_on_both_sides) {
+  const PlanarSet twice{{box(0, 0, 4, 4), backwards(box(0, 0, 4, 4))}, {}, {}, {}};
+  EXPECT_EQ(difference(twice, {})->what, "an edge of the first has the same on both sides");
+  EXPECT_EQ(difference({}, twice)->what, "an edge of the second has the same on both sides");
+}
+
+TEST(Difference, of_the_same_points_in_other_pieces) {
+  const std::string same = "the same points, but one of the two is not in canonical form";
+  const PlanarSet halved = square({{{1, 1}, {2, 1}}, {{2, 1}, {3, 1}}});
+  EXPECT_EQ(difference(square({{{1, 1}, {3, 1}}}), halved)->what, same);
+  PlanarSet more = square();
+  more.outer[0].insert(more.outer[0].begin() + 1, {2, 0});
+  EXPECT_EQ(difference(more, square())->what, same);
+  EXPECT_EQ(difference({{}, {}, {}, {{1, 1}, {1, 1}}}, {{}, {}, {}, {{1, 1}}})->what, same);
+}
+
 }  // namespace
 }  // namespace oplus

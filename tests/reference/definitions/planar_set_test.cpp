@@ -129,5 +129,9 @@ TEST(PlanarSet, origins_of_a_dangling_edge_run_either_way) {
             (std::vector<std::vector<std::size_t>>{{1, 2}}));
 }
 
+TEST(PlanarSet, smallest_rotation_of_a_chain_that_repeats_itself) {
+  EXPECT_EQ(start_of_smallest_rotation({{1, 0}, {0, 0}, {1, 0}, {0, 0}}), 1U);
+}
+
 }  // namespace
 }  // namespace oplus
