@@ -14,7 +14,8 @@ SvgDocument::SvgDocument(const InputText& input)
     if (text_[i] == '\n') line_starts_.push_back(i + 1);
   refuse_deep_nesting();
   try {
-    document_->parse<xml::parse_validate_closing_tags>(text_.data());
+    // No text, not even blanks, is between siblings.
+    document_->parse<xml::parse_validate_closing_tags | xml::parse_no_data_nodes>(text_.data());
   } catch (const xml::parse_error& error) {
     input.refuse(at(error.where<char>()), error.what(), "an SVG file");
   }

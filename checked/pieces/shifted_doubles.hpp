@@ -35,7 +35,6 @@ class ShiftedDoubles {
     if (std::abs(bits_) > most_bits) shift_ = bits_;
   }
 
-  long shift() const { return shift_; }
   long bits() const { return bits_; }  ///< 2 to this power is larger than any of the coordinates
 
   /// Off by less than 2^-50 of its size; exact if it is an integer below 2^53 that is not shifted.

@@ -249,5 +249,39 @@ TEST(CheckOfALayout, agrees_with_the_definition_on_random_layouts) {
   for (const std::size_t seen : {too_near, inside}) EXPECT_GT(seen, 20U);
 }
 
+TEST(CheckOfALayout, of_a_part_that_is_placed_twice_and_of_defects_without_a_container) {
+  Sheet sheet = sheet_of(
+      R"~({"parts": {"a": [[0,0],[2,0],[2,1],[0,1]]}, "placements": [{"part": "a"}, {"part": "a", "at": [2, 0]}]})~");
+  EXPECT_TRUE(check(sheet, {}, 1).is_right());
+  sheet.defects.push_back({of("POLYGON((3 0,4 0,4 1,3 0))")});
+  EXPECT_EQ(check(sheet, {}, 1).faults.size(), 1U);
+}
+
+/// Doubles decide no contact there.
+TEST(CheckOfALayout, is_exact_without_a_short_common_denominator) {
+  const std::string t = "1/1000000000000000003", beyond = "8000000000000000025/2000000000000000006";
+  const auto faults = [](const Sheet& sheet) { return check(sheet, {}, 1).faults.size(); };
+  const std::string left = "POLYGON((0 0,2 0,2 1,0 1,0 0))\n";
+  const Sheet sheet =
+      sheet_of(left + "POLYGON((2 0,4 0,4 1,2 1,2 0))", "POLYGON((0 0,9 0,9 9,0 9,0 0))");
+  for (const std::size_t part : {0U, 1U}) {
+    Sheet moved = sheet;
+    moved.parts[part].at.x += Rational(t);
+    EXPECT_EQ(faults(moved), 1 - part);
+  }
+  EXPECT_EQ(faults(sheet_of(left + "POLYGON((2 0,4 0,4 " + t + ",2 1,2 0))")), 0U);
+  for (const auto& [low, expected] : {std::pair("-" + t, 0U), {t, 1U}}) {
+    Sheet other = sheet;
+    other.container = of("POLYGON((" + low + " 0,9 0,9 9," + low + " 9," + low + " 0))");
+    EXPECT_EQ(faults(other), expected);
+  }
+  for (const auto& [low, expected] : {std::pair(beyond, 0U), {"3", 1U}}) {
+    Sheet other = sheet;
+    other.defects.push_back(
+        {of("POLYGON((" + low + " 0,5 0,5 " + t + "," + low + " 1," + low + " 0))")});
+    EXPECT_EQ(faults(other), expected);
+  }
+}
+
 }  // namespace
 }  // namespace oplus

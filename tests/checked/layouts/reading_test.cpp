@@ -111,9 +111,11 @@ TEST(ReadingALayout, of_files_beside_it) {
   const std::filesystem::path folder = testing::TempDir();
   std::ofstream(folder / "oplus-part.wkt") << "POLYGON((0 0,1 0,0 1,0 0))";
   std::ofstream(folder / "oplus-layout.json") << R"~({"parts": {"a": {"file": "oplus-part.wkt"}},
-"placements": [{"part": "a"}], "defects": ["POLYGON((5 5,6 5,5 6,5 5))"]})~";
-  EXPECT_EQ(described(read_layout_file((folder / "oplus-layout.json").string(), error)),
-            "[ - POLYGON ((5 5, 6 5, 5 6, 5 5)) 0]\na:2 POLYGON ((0 0, 1 0, 0 1, 0 0))");
+"placements": [{"part": "a"}], "defects": ["POLYGON((5 5,6 5,5 6,5 5))"],
+"container": {"type": "Polygon", "coordinates": [[[0,0],[9,0],[9,9],[0,0]]]}})~";
+  EXPECT_EQ(
+      described(read_layout_file((folder / "oplus-layout.json").string(), error)),
+      "[POLYGON ((0 0, 9 0, 9 9, 0 0)) - POLYGON ((5 5, 6 5, 5 6, 5 5)) 0]\na:2 POLYGON ((0 0, 1 0, 0 1, 0 0))");
 }
 
 TEST(ReadingALayout, after_a_byte_order_mark_and_beyond_the_plane) {
@@ -234,6 +236,11 @@ TEST(ReadingALayout, of_svg) {
 <g display="none"><path d="M0 0 h1 v1z"/></g><rect class="the bin of them" width="9" height="9"/>
 <rect class="holes binary" width="1" height="1"/>)~"))),
             "[POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0))]\n:4 POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))");
+  EXPECT_EQ(described(read(
+                svg("<path class=\"hole\" d=\"M0 0 h1 v1z\"/>\n<rect width=\"9\" height=\"9\"/>\n"
+                    "<path class=\"hole\" d=\"M1 1 v1 h1 v-1 z\"/>"))),
+            "[]\n:2 POLYGON ((0 0, 1 0, 1 1, 0 0))\n"
+            ":3 POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0), (1 1, 1 2, 2 2, 2 1, 1 1))");
   expect_refusal("<!DOCTYPE svg [<!ENTITY a 'b'>]>" + svg(""),
                  "in:1:1: a document type with declarations");
   const std::pair<std::string, std::string> refused[] = {

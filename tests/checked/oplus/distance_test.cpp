@@ -51,6 +51,7 @@ TEST(Distance, needs_points) {
   EXPECT_THROW(Placements({}, frame), InvalidInput);
   EXPECT_FALSE(depth(frame, {}));
   EXPECT_FALSE(depth({}, frame));
+  EXPECT_FALSE(depth(complement(frame), square));
 }
 
 TEST(Distance, from_the_plane_is_zero_and_no_move_leads_out_of_it) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "checked/operations/complement.hpp"
+#include "checked/slide/slide.hpp"
 #include "tests/checked/slide/exact_values.hpp"
 #include "tests/reference/definitions/shapes.hpp"
 
@@ -46,6 +47,17 @@ TEST(Extent, is_unlike_where_a_common_denominator_is_long) {
   EXPECT_TRUE(extent(Denominators::alike).is_unlike);
   EXPECT_FALSE(extent(Denominators::any).is_unlike);
   EXPECT_TRUE(has_unlike_denominators(extent(Denominators::any), {}));
+}
+
+TEST(Scaling, of_sums_in_which_either_summand_has_unlike_denominators) {
+  const Region square = polygon(box(0, 0, 1, 1));
+  Chain chain;
+  for (int i = 0; i < 6; ++i)
+    chain.push_back({i + Rational(1, power_of_two(60).get_num() + 2 * i + 1), i * i});
+  const Region unlike = polygon(chain);
+  const PlanarSet sum = slide_sum(square, unlike, Boundary::closed).sum;
+  EXPECT_EQ(sum, slide_sum(unlike, square, Boundary::closed).sum);
+  EXPECT_EQ(sum.outer.at(0).front(), chain[0]);
 }
 
 }  // namespace

@@ -152,5 +152,24 @@ TEST(Verify, the_second_verdict_may_meet_isolated_vertices) {
   EXPECT_TRUE(verify(around, plug, Boundary::closed, {polygon(sum), {}, {}}).is_sum());
 }
 
+/// What is given is compared with the sum in one form, whatever its chains start with.
+TEST(Verify,
+     refuses_chains_that_touch_themselves_where_they_start_and_components_that_are_there_twice) {
+  const auto of = [](const Region& given) {
+    return kinds(verify(frame, unit, Boundary::closed, {given, {}, {}}));
+  };
+  Chain chain{{0, 0}, {4, -2}, {4, -1}, {0, 0}, {4, 1}, {4, 2}};
+  const Kinds found = of(polygon(chain));
+  EXPECT_FALSE(found.empty());
+  std::rotate(chain.begin(), chain.begin() + 3, chain.end());
+  EXPECT_EQ(of(polygon(chain)), found);
+
+  Region twice = sum_of_frame;
+  twice.components.push_back({twice.components[0].outer, {}});
+  EXPECT_FALSE(of(twice).empty());
+  std::swap(twice.components[0], twice.components[1]);
+  EXPECT_FALSE(of(twice).empty());
+}
+
 }  // namespace
 }  // namespace oplus

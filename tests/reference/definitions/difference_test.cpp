@@ -136,6 +136,10 @@ TEST(Difference, of_the_same_points_in_other_pieces) {
   more.outer[0].insert(more.outer[0].begin() + 1, {2, 0});
   EXPECT_EQ(difference(more, square())->what, same);
   EXPECT_EQ(difference({{}, {}, {}, {{1, 1}, {1, 1}}}, {{}, {}, {}, {{1, 1}}})->what, same);
+  const Segment edge{{1, 1}, {3, 1}};
+  EXPECT_EQ(difference(square({edge}, {{2, 1}}), square({edge}))->what, same);
+  const PlanarSet twice{{box(0, 0, 4, 4), backwards(box(0, 0, 4, 4))}, {}, {}, {}};
+  EXPECT_EQ(difference(twice, {{}, {}, edges(twice), {}})->what, same);
 }
 
 }  // namespace
