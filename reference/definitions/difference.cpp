@@ -197,7 +197,8 @@ std::optional<Difference> difference(const PlanarSet& a, const PlanarSet& b) {
     }
   }
 
-  const Point p = first.all.empty() ? a.isolated_vertices.front() : first.all.front().source;
+  const Overlaid& any = first.all.empty() && a.isolated_vertices.empty() ? second : first;
+  const Point p = any.all.empty() ? any.sum.isolated_vertices.front() : any.all.front().source;
   return Difference{p, first.locate(p), second.locate(p),
                     "the same points, but one of the two is not in canonical form"};
 }
