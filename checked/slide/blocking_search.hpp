@@ -8,6 +8,7 @@
 
 #include "checked/slide/blocked_interval.hpp"
 #include "checked/slide/integer_summands.hpp"
+#include "checked/slide/places_by_digits.hpp"
 #include "checked/slide/short_list.hpp"
 #include "checked/slide/strip.hpp"
 #include "checked/slide/swept_box.hpp"
@@ -41,12 +42,13 @@ class BlockingSearch {
   using Interval = BlockedInterval<Numbers>;
 
   BlockingSearch(const IntegerSummands<Numbers>& summands, Shift shift)
-      : summands_(summands), shift_(shift) {}
+      : summands_(summands), shift_(shift), digits_(summands) {}
 
   /// An interval that contains t, if there is one.
   std::optional<Interval> at(const ReducedSegment<Numbers>& segment, const Fraction<Numbers>& t) {
     ++effort.probes;
     const ApproximatePoint near = near_place(segment, t);
+    digits_.look_at(segment, t, t);
     for (std::size_t k = 0; k < remembered_; ++k) {
       if (auto found = containing(segment, t, near, recent_[k])) {
         std::rotate(recent_.begin(), recent_.begin() + static_cast<std::ptrdiff_t>(k),
@@ -125,6 +127,7 @@ class BlockingSearch {
     if (compares_all_pairs()) return each_near_pair(segment, visit);
     const ApproximatePoint from = near_place(segment, piece.from),
                            to = near_place(segment, piece.to);
+    digits_.look_at(segment, piece.from, piece.to);
     const bool exactly = shift_ == Shift::to_the_right && summands_.margins.area_is_exact &&
                          piece.from.denominator() == 1 && piece.to.denominator() == 1;
     const auto visit_if_near = [&](const EdgePair& pair) {
@@ -181,14 +184,13 @@ class BlockingSearch {
     // Where doubles are exact, a segment beside a strip may touch its side; along it, the shift decides.
     const double touching = OPLUS_MUTANT("slide-passes-sides-by") ? margin : std::max(margin, 0.5);
     effort.by_doubles += summands_.p.near.size() * summands_.q.near.size();
-    const Fraction<Numbers> source{0, 1}, target{1, 1};
+    digits_.look_at(segment, {0, 1}, {1, 1});
     summands_.pairs.each_near(
         segment.near, {shift_ == Shift::none ? touching : margin, touching},
         [&](const EdgePair& pair) {
           --effort.by_doubles;
           if (comes_apart(segment, pair)) return;
-          if (is_far_reaching() &&
-              (meets_end_only(segment, pair) || outside_by_digits(segment, pair, source, target)))
+          if (digits_.are_needed() && (meets_end_only(segment, pair) || outside_by_digits(pair)))
             return;
           visit(pair);
         });
@@ -210,7 +212,7 @@ class BlockingSearch {
   /// away from there: most pairs that share a vertex with those that touch.
   bool meets_end_only(const ReducedSegment<Numbers>& segment, const EdgePair& pair) {
     if (shift_ == Shift::none || summands_.margins.area_is_exact) return false;
-    const bool edge_of_p = segment.contact[0].first == segment.contact[1].first;
+    const bool edge_of_p = segment.edge_is_of_p();
     const auto of = [&](const EdgePair& both, bool p) { return p ? both.first : both.second; };
     const std::uint32_t vertex = of(segment.contact[1], !edge_of_p);
     const std::uint32_t at_vertex = of(pair, !edge_of_p);
@@ -289,7 +291,7 @@ class BlockingSearch {
   bool outside_closely(const ReducedSegment<Numbers>& segment, const EdgePair& pair,
                        const Fraction<Numbers>& first, const Fraction<Numbers>& last) {
     if (summands_.margins.area_is_exact) return false;
-    if (is_far_reaching()) return outside_by_digits(segment, pair, first, last);
+    if (digits_.are_needed()) return outside_by_digits(pair);
     const double from = first.near(), to = last.near();
     const NearSegment& e = summands_.p.near[pair.first];
     const NearSegment& f = summands_.q.near[pair.second];
@@ -330,56 +332,17 @@ class BlockingSearch {
     return true;
   }
 
-  /// Whether numbers, or products of two, may be out of the range of doubles.
-  bool is_far_reaching() const { return !summands_.p.leading.empty(); }
-
-  /// Whether leading digits tell that no place between two on the segment is in the sum of a pair of edges.
-  bool outside_by_digits(const ReducedSegment<Numbers>& segment, const EdgePair& pair,
-                         const Fraction<Numbers>& from, const Fraction<Numbers>& to) {
-    if constexpr (!has_fixed_width<Numbers>) {
-      const bool edge_of_p = segment.contact[0].first == segment.contact[1].first;
-      const EdgePair& at_source = segment.contact[1];
-      const NearVector direction = NearVector::of(segment.exact.direction);
-      const auto place = [&](const Fraction<Numbers>& t) {
-        // From the nearer end of the segment, so that what is left of its length there is precise.
-        const bool at_target = t.near() > 0.5;
-        const NearNumber part =
-            near_number(at_target ? t.numerator() - t.denominator() : t.numerator()) /
-            near_number(t.denominator());
-        const NearVector along = part * direction;
-        return LeadingPlace{
-            from_ends(summands_.p, at_source.first, at_target && edge_of_p, pair.first),
-            from_ends(summands_.q, at_source.second, at_target && !edge_of_p, pair.second),
-            {along, abs(along)}};
-      };
-      if (certainly_beyond_a_side({place(from), place(to)},
-                                  {summands_.p.leading[pair.first].direction,
-                                   edge_of_p && at_source.first == pair.first},
-                                  {summands_.q.leading[pair.second].direction,
-                                   !edge_of_p && at_source.second == pair.second})) {
-        ++effort.by_doubles;
-        return true;
-      }
-    }
-    return false;
-  }
-
-  /// The source of an edge, or its target, less the source and the target of another one.
-  static std::array<LeadingVector, 2> from_ends(const IntegerSummand<Numbers>& summand,
-                                                std::uint32_t edge, bool target,
-                                                std::uint32_t other) {
-    const LeadingEdge &e = summand.leading[edge], &f = summand.leading[other];
-    const NearVector& v = target ? e.target : e.source;
-    const bool is_same = edge == other;
-    return {
-        LeadingVector::difference(v, f.source, target ? summand.previous[other] == edge : is_same),
-        LeadingVector::difference(v, f.target, target ? is_same : summand.previous[edge] == other)};
+  bool outside_by_digits(const EdgePair& pair) {
+    if (!digits_.are_outside(pair)) return false;
+    ++effort.by_doubles;
+    return true;
   }
 
   /// Whether a strip around one of two nodes shows that no place between two is in the sum of what both
   /// are around. Boxes are enough for most searches: strips are only looked at in one that takes long.
   bool beside_strips(const Pair& boxes, const ApproximatePoint& from,
                      const ApproximatePoint& to) const {
+    if (digits_.are_outside(boxes.first, boxes.second)) return true;
     if (effort.box_pairs < strips_from_) return false;
     const FloatBoxTree::Node& a = summands_.tree_of_p[boxes.first];
     const FloatBoxTree::Node& b = summands_.tree_of_q[boxes.second];
@@ -455,6 +418,7 @@ class BlockingSearch {
 
   const IntegerSummands<Numbers>& summands_;
   Shift shift_;
+  PlacesByDigits<Numbers> digits_;  ///< of what was asked about last
   std::array<EdgePair, 4> recent_;
   std::size_t remembered_ = 0;
   static constexpr std::size_t without_strips = 48;  ///< pairs of boxes

@@ -85,6 +85,7 @@ class FloatBoxTree {
                         std::span<const NearSegment> edges = {},
                         std::span<const std::uint32_t> chains = {});
 
+  std::size_t size() const { return nodes_.size(); }
   const Node& operator[](std::uint32_t node) const { return nodes_[node]; }
   const Strip& strip(std::uint32_t number) const { return strips_[number]; }
 

@@ -198,4 +198,21 @@ FloatBoxTree float_box_tree(const IntegerSummand<Numbers>& summand) {
   return FloatBoxTree(boxes, span_of(summand.near), span_of(summand.first_of_chain));
 }
 
+/// Around what the nodes of its tree stand for.
+template <typename Numbers>
+std::vector<LeadingBox> leading_boxes(const IntegerSummand<Numbers>& summand,
+                                      const FloatBoxTree& tree) {
+  std::vector<LeadingBox> boxes(summand.leading.empty() ? 0 : tree.size());
+  for (std::size_t i = boxes.size(); i-- > 0;) {
+    const FloatBoxTree::Node& node = tree[static_cast<std::uint32_t>(i)];
+    if (node.is_leaf()) {
+      const LeadingEdge& edge = summand.leading[node.edge];
+      boxes[i] = around({edge.source, edge.source}, {edge.target, edge.target});
+    } else {
+      boxes[i] = around(boxes[i + 1], boxes[node.right]);
+    }
+  }
+  return boxes;
+}
+
 }  // namespace oplus::slide

@@ -53,6 +53,9 @@ struct IntegerSummands {
   PairTable pairs;
   const FloatBoxTree& tree_of_p = kept_p_.boxes();
   const FloatBoxTree& tree_of_q = kept_q_.boxes();
+  /// By the nodes of the trees, where numbers may be out of the range of doubles, else empty.
+  const std::vector<LeadingBox>& leading_boxes_of_p = kept_p_.leading_boxes();
+  const std::vector<LeadingBox>& leading_boxes_of_q = kept_q_.leading_boxes();
   Margins margins;
   /// Empty unless there are several components.
   const ComponentTree& components_of_p = kept_p_.components();
@@ -99,6 +102,9 @@ struct ReducedSegment {
   double error;  ///< more than a place on it in doubles can be off
   /// The edge that touches, with both edges at the vertex that touches it.
   std::array<EdgePair, 2> contact = {};
+
+  /// Not of touching points, whose contacts are the same.
+  bool edge_is_of_p() const { return contact[0].first == contact[1].first; }
 };
 
 /// Of the places on the sum of an edge and a vertex, and on the line of the segment as far as it goes.

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <mutex>
+#include <vector>
 
 #include "checked/slide/component_tree.hpp"
 #include "checked/slide/integer_summand.hpp"
@@ -32,10 +33,14 @@ class KeptSummand {
 
   /// Empty before prepare_boxes(), which each user must call. So for components().
   const FloatBoxTree& boxes() const { return boxes_; }
+  const std::vector<LeadingBox>& leading_boxes() const { return leading_boxes_; }
   const ComponentTree& components() const { return components_; }
 
   void prepare_boxes() const {
-    std::call_once(has_boxes_, [this] { boxes_ = float_box_tree(summand_); });
+    std::call_once(has_boxes_, [this] {
+      boxes_ = float_box_tree(summand_);
+      leading_boxes_ = slide::leading_boxes(summand_, boxes_);
+    });
   }
   /// Nobody uses them any more.
   void drop_boxes() { boxes_ = {}; }
@@ -55,6 +60,7 @@ class KeptSummand {
   IntegerSummand<Numbers> summand_;
   mutable std::once_flag has_boxes_, has_components_, has_convexity_;
   mutable FloatBoxTree boxes_;
+  mutable std::vector<LeadingBox> leading_boxes_;
   mutable ComponentTree components_;
   mutable bool is_convex_ = false;
 };

@@ -98,4 +98,47 @@ inline bool certainly_beyond_a_side(const std::array<LeadingPlace, 2>& places,
                        is_beyond(false, 0, turn) || is_beyond(false, 1, -turn));
 }
 
+/// A box around vertices, and a place on a segment as LeadingPlace has it, seen from a vertex of the summand of these.
+struct LeadingBox {
+  NearVector low, high;
+
+  /// The smallest one around two.
+  friend LeadingBox around(const LeadingBox& a, const LeadingBox& b) {
+    return {{std::min(a.low.x, b.low.x), std::min(a.low.y, b.low.y)},
+            {std::max(a.high.x, b.high.x), std::max(a.high.y, b.high.y)}};
+  }
+  /// The corner whose skew product with d is the largest, or the least.
+  NearVector corner(const NearVector& d, bool largest) const {
+    return {(d.y.mantissa < 0) == largest ? high.x : low.x,
+            (d.x.mantissa < 0) == largest ? low.y : high.y};
+  }
+};
+struct LeadingPlaceByBox {
+  NearVector vertex;
+  std::array<LeadingVector, 2> from_edge;
+  LeadingVector along;
+};
+
+/// The same for the sum of a box and an edge, a hexagon.
+inline bool certainly_beyond_a_side(const std::array<LeadingPlaceByBox, 2>& places,
+                                    const LeadingBox& box, const LeadingDirection& edge) {
+  const auto is_beyond = [&](const LeadingDirection& along, int side, bool of_edge) {
+    const NearVector corner = box.corner(along.direction, side > 0);
+    return std::all_of(places.begin(), places.end(), [&](const LeadingPlaceByBox& place) {
+      const LeadingVector from_corner = LeadingVector::difference(place.vertex, corner, false);
+      const LeadingVector rest = along.is_of_segment ? from_corner : from_corner + place.along;
+      const auto is_on_side = [&](const LeadingVector& from_end) {
+        return certain_side(along.direction, from_end + rest) == side;
+      };
+      // Along the edge, one of its ends tells what both do.
+      return of_edge ? is_on_side(place.from_edge[0]) || is_on_side(place.from_edge[1])
+                     : is_on_side(place.from_edge[0]) && is_on_side(place.from_edge[1]);
+    });
+  };
+  constexpr NearNumber zero{0, 0}, one{0.5, 1};
+  const LeadingDirection x{{one, zero}, false}, y{{zero, one}, false};
+  return is_beyond(edge, 1, true) || is_beyond(edge, -1, true) || is_beyond(x, 1, false) ||
+         is_beyond(x, -1, false) || is_beyond(y, 1, false) || is_beyond(y, -1, false);
+}
+
 }  // namespace oplus::slide

@@ -87,6 +87,47 @@ TEST(LeadingEdge, is_beyond_a_side_only_where_no_place_is_inside) {
   EXPECT_GT(100 * beyond, 60 * outside) << beyond << " of " << outside;
 }
 
+TEST(LeadingBox, is_beyond_a_side_only_where_no_place_is_inside_with_an_edge_in_the_box) {
+  Random random(3);
+  std::size_t beyond = 0, outside = 0;
+  for (int i = 0; i < 4000; ++i) {
+    // Vertices that are near each other, or anywhere; the segment begins at one of them, or does not.
+    std::array<Vector, 3> in_box{vector(random), {}, {}};
+    for (std::size_t k = 1; k < in_box.size(); ++k)
+      in_box[k] = i % 2 == 0 ? in_box[0] + Vector{uniform(random, -9, 9), uniform(random, -9, 9)}
+                             : vector(random);
+    const Edge f{vector(random), vector(random)};
+    const Vector p = i % 3 == 0   ? in_box[1]
+                     : i % 3 == 1 ? in_box[0] + Vector{20, 1}
+                                  : vector(random);
+    const Vertex q = Vertex::any(random, f);
+    const bool along_f = i % 4 == 0 && q.of_edge == 0;
+    const Edge segment{p + q.at, along_f ? f.direction : vector(random)};
+    Place from = place(random), to = place(random);
+    if (to < from) std::swap(from, to);
+    const auto leading = [&](const Place& t) -> LeadingPlaceByBox {
+      const NearVector along = near_number(t.numerator()) / near_number(t.denominator()) *
+                               NearVector::of(segment.direction);
+      return {NearVector::of(p), q.from(f), {along, abs(along)}};
+    };
+    LeadingBox box{NearVector::of(in_box[0]), NearVector::of(in_box[0])};
+    for (const Vector& v : in_box) box = around(box, {NearVector::of(v), NearVector::of(v)});
+    const bool is_beyond = certainly_beyond_a_side({leading(from), leading(to)}, box,
+                                                   {NearVector::of(f.direction), along_f});
+    bool is_inside = false;
+    for (std::size_t k = 0; k < in_box.size(); ++k) {
+      const Vector& source = in_box[k];
+      const Edge e{source, in_box[(k + 1) % in_box.size()] - source};
+      const auto blocked = blocked_interval(segment, e, f, Shift::none);
+      is_inside = is_inside || (blocked && blocked->from < to && from < blocked->to);
+    }
+    EXPECT_FALSE(is_beyond && is_inside) << i;
+    beyond += is_beyond;
+    outside += !is_inside;
+  }
+  EXPECT_GT(100 * beyond, 60 * outside) << beyond << " of " << outside;
+}
+
 TEST(NearNumber, of_different_numbers_knows_the_order_or_leaves_it_open) {
   Random random(2);
   int open = 0;
