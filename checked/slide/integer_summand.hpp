@@ -207,7 +207,7 @@ std::vector<LeadingBox> leading_boxes(const IntegerSummand<Numbers>& summand,
     const FloatBoxTree::Node& node = tree[static_cast<std::uint32_t>(i)];
     if (node.is_leaf()) {
       const LeadingEdge& edge = summand.leading[node.edge];
-      boxes[i] = around({edge.source, edge.source}, {edge.target, edge.target});
+      boxes[i] = around(LeadingBox::of(edge.source), LeadingBox::of(edge.target));
     } else {
       boxes[i] = around(boxes[i + 1], boxes[node.right]);
     }

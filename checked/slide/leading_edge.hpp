@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
+#include <span>
 
 #include "checked/slide/integer_vector.hpp"
 #include "checked/slide/near_number.hpp"
@@ -26,7 +28,6 @@ struct NearVector {
   friend NearVector operator*(const NearNumber& t, const NearVector& v) {
     return {t * v.x, t * v.y};
   }
-  friend NearVector abs(const NearVector& v) { return {abs(v.x), abs(v.y)}; }
 };
 
 /// An edge by leading digits, each number off by at most 2^-50 of its size: so small ones are as precise as large
@@ -41,26 +42,39 @@ struct LeadingEdge {
   }
 };
 
-/// A vector by leading digits, off by at most 2^-48 of `size`.
+/// Larger than the size of a number is a power of two with this exponent. Requires: its mantissa is less than 2.
+inline long bits_of(const NearNumber& a) {
+  constexpr long of_zero = std::numeric_limits<long>::min() / 8;
+  return a.mantissa == 0 ? of_zero : a.exponent + 1;
+}
+
+/// A vector by leading digits, each of its two numbers off by at most 2^(bits - 48).
 struct LeadingVector {
-  NearVector near, size;
+  NearVector near{};
+  long bits_x = bits_of({}), bits_y = bits_of({});
+
+  /// Of a vector whose numbers are off by at most 2^-49 of their size.
+  static LeadingVector of(const NearVector& v) { return {v, bits_of(v.x), bits_of(v.y)}; }
 
   /// Of two vertices, 0 where they are the same, however large they are: what is left of a sum of differences is then
   /// as precise as its small terms.
   static LeadingVector difference(const NearVector& a, const NearVector& b, bool is_same) {
     if (is_same) return {};
-    return {a - b, abs(a) + abs(b)};
+    return {a - b, std::max(bits_of(a.x), bits_of(b.x)) + 1,
+            std::max(bits_of(a.y), bits_of(b.y)) + 1};
   }
   friend LeadingVector operator+(const LeadingVector& a, const LeadingVector& b) {
-    return {a.near + b.near, a.size + b.size};
+    return {a.near + b.near, std::max(a.bits_x, b.bits_x) + 1, std::max(a.bits_y, b.bits_y) + 1};
   }
 };
 
 /// The sign of the skew product of d and v where it is certain, else 0.
 inline int certain_side(const NearVector& d, const LeadingVector& v) {
   const NearNumber difference = d.x * v.near.y - d.y * v.near.x;
-  const NearNumber error = NearNumber{1, -47} * (abs(d.x) * v.size.y + abs(d.y) * v.size.x);
-  return (error < difference) - (error < -difference);
+  // It is off by at most 2^(bits - 46), and of at least a quarter of the power of two with its exponent.
+  const long bits = std::max(bits_of(d.x) + v.bits_y, bits_of(d.y) + v.bits_x);
+  if (difference.mantissa == 0 || difference.exponent <= bits - 44) return 0;
+  return difference.mantissa > 0 ? 1 : -1;
 }
 
 /// A place on a segment of the convolution, seen from an edge of P and one of Q: less the source, and the target, of
@@ -76,10 +90,10 @@ struct LeadingDirection {
   bool is_of_segment;
 };
 
-/// Whether two places on a segment, and all between them, are certainly beyond one of the sides of the sum of an edge
+/// Whether places on a segment, and all between them, are certainly beyond one of the sides of the sum of an edge
 /// of P and one of Q, a parallelogram.
-inline bool certainly_beyond_a_side(const std::array<LeadingPlace, 2>& places,
-                                    const LeadingDirection& p, const LeadingDirection& q) {
+inline bool certainly_beyond_a_side(std::span<const LeadingPlace> places, const LeadingDirection& p,
+                                    const LeadingDirection& q) {
   const int turn = certain_order(p.direction.x * q.direction.y, p.direction.y * q.direction.x);
   // Of the sides along one edge, whether both places are beyond that through an end of the other.
   const auto is_beyond = [&](bool along_p, std::size_t end, int side) {
@@ -98,10 +112,11 @@ inline bool certainly_beyond_a_side(const std::array<LeadingPlace, 2>& places,
                        is_beyond(false, 0, turn) || is_beyond(false, 1, -turn));
 }
 
-/// A box around vertices, and a place on a segment as LeadingPlace has it, seen from a vertex of the summand of these.
+/// Axis-parallel, around vertices.
 struct LeadingBox {
   NearVector low, high;
 
+  static LeadingBox of(const NearVector& vertex) { return {vertex, vertex}; }
   /// The smallest one around two.
   friend LeadingBox around(const LeadingBox& a, const LeadingBox& b) {
     return {{std::min(a.low.x, b.low.x), std::min(a.low.y, b.low.y)},
@@ -113,14 +128,17 @@ struct LeadingBox {
             (d.x.mantissa < 0) == largest ? low.y : high.y};
   }
 };
+
+/// A place as LeadingPlace is one, of which one end of the segment is the sum of `vertex` and a vertex of the other
+/// summand, and this one is seen from an edge.
 struct LeadingPlaceByBox {
   NearVector vertex;
   std::array<LeadingVector, 2> from_edge;
   LeadingVector along;
 };
 
-/// The same for the sum of a box and an edge, a hexagon.
-inline bool certainly_beyond_a_side(const std::array<LeadingPlaceByBox, 2>& places,
+/// The same for the sum of a box around the vertices of one summand and an edge of the other one, a hexagon.
+inline bool certainly_beyond_a_side(std::span<const LeadingPlaceByBox> places,
                                     const LeadingBox& box, const LeadingDirection& edge) {
   const auto is_beyond = [&](const LeadingDirection& along, int side, bool of_edge) {
     const NearVector corner = box.corner(along.direction, side > 0);

@@ -11,7 +11,7 @@
 
 namespace oplus::slide {
 
-/// Two places on a segment by leading digits, each seen from its nearer end, so that what is left of the segment's
+/// One or two places on a segment by leading digits, each seen from its nearer end, so that what is left of the segment's
 /// length there is precise. Where no number may be out of the range of doubles, nothing is certain.
 template <typename Numbers>
 class PlacesByDigits {
@@ -20,6 +20,7 @@ class PlacesByDigits {
 
   bool are_needed() const { return !summands_.p.leading.empty(); }
 
+  /// One place where both are the same object.
   void look_at(const ReducedSegment<Numbers>& segment, const Fraction<Numbers>& from,
                const Fraction<Numbers>& to) {
     if constexpr (!has_fixed_width<Numbers>) {
@@ -27,15 +28,14 @@ class PlacesByDigits {
       edge_of_p_ = segment.edge_is_of_p();
       source_ = segment.contact[1];
       const NearVector direction = NearVector::of(segment.exact.direction);
-      const std::array<const Fraction<Numbers>*, 2> places{&from, &to};
-      for (std::size_t i = 0; i < places.size(); ++i) {
-        const Fraction<Numbers>& t = *places[i];
+      is_one_ = &from == &to;
+      for (std::size_t i = 0; i < (is_one_ ? 1 : 2); ++i) {
+        const Fraction<Numbers>& t = i == 0 ? from : to;
         at_target_[i] = t.near() > 0.5;
         const NearNumber part =
             near_number(at_target_[i] ? t.numerator() - t.denominator() : t.numerator()) /
             near_number(t.denominator());
-        const NearVector along = part * direction;
-        along_[i] = {along, abs(along)};
+        along_[i] = LeadingVector::of(part * direction);
       }
     }
   }
@@ -46,9 +46,10 @@ class PlacesByDigits {
       return LeadingPlace{from_ends(Summand::P, pair.first, i),
                           from_ends(Summand::Q, pair.second, i), along_[i]};
     };
-    return are_needed() &&
-           certainly_beyond_a_side({place(0), place(1)}, direction(Summand::P, pair.first),
-                                   direction(Summand::Q, pair.second));
+    return are_needed() && ask(place, [&](const auto& places) {
+             return certainly_beyond_a_side(places, direction(Summand::P, pair.first),
+                                            direction(Summand::Q, pair.second));
+           });
   }
 
   /// The same for a node of the tree of P and one of Q, of which one is a leaf.
@@ -68,7 +69,14 @@ class PlacesByDigits {
       return LeadingPlaceByBox{is_target(of_box, i) ? end.target : end.source,
                                from_ends(of_edge, edge, i), along_[i]};
     };
-    return certainly_beyond_a_side({place(0), place(1)}, box, direction(of_edge, edge));
+    return ask(place, [&](const auto& places) {
+      return certainly_beyond_a_side(places, box, direction(of_edge, edge));
+    });
+  }
+
+  template <typename Place, typename Question>
+  bool ask(const Place& place, const Question& question) const {
+    return is_one_ ? question(std::array{place(0)}) : question(std::array{place(0), place(1)});
   }
 
   const IntegerSummand<Numbers>& summand(Summand which) const {
@@ -103,8 +111,9 @@ class PlacesByDigits {
   }
 
   const IntegerSummands<Numbers>& summands_;
-  bool edge_of_p_ = false;         ///< whether the segment's edge is of P
-  EdgePair source_;                ///< of the segment, as the vertices of which it is the sum
+  bool edge_of_p_ = false;  ///< whether the segment's edge is of P
+  EdgePair source_;         ///< of the segment, as the vertices of which it is the sum
+  bool is_one_ = false;
   std::array<bool, 2> at_target_;  ///< whether that is the nearer end
   std::array<LeadingVector, 2> along_;
 };

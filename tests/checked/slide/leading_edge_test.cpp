@@ -67,15 +67,15 @@ TEST(LeadingEdge, is_beyond_a_side_only_where_no_place_is_inside) {
       const NearVector d = NearVector::of(segment.direction);
       if (i % 2 == 0) {
         const NearVector along = near_number(t.numerator()) / near_number(t.denominator()) * d;
-        return {p.from(e), q.from(f), {along, abs(along)}};
+        return {p.from(e), q.from(f), LeadingVector::of(along)};
       }
       // Less the segment's target, for which its edge is taken to be of P.
       const NearVector along =
           near_number(Integer(t.numerator() - t.denominator())) / near_number(t.denominator()) * d;
       const Vertex target{p.at + segment.direction, along_e ? 1 : 2};
-      return {target.from(e), q.from(f), {along, abs(along)}};
+      return {target.from(e), q.from(f), LeadingVector::of(along)};
     };
-    const bool is_beyond = certainly_beyond_a_side({leading(from), leading(to)},
+    const bool is_beyond = certainly_beyond_a_side(std::array{leading(from), leading(to)},
                                                    {NearVector::of(e.direction), along_e},
                                                    {NearVector::of(f.direction), false});
     const auto blocked = blocked_interval(segment, e, f, Shift::none);
@@ -108,11 +108,11 @@ TEST(LeadingBox, is_beyond_a_side_only_where_no_place_is_inside_with_an_edge_in_
     const auto leading = [&](const Place& t) -> LeadingPlaceByBox {
       const NearVector along = near_number(t.numerator()) / near_number(t.denominator()) *
                                NearVector::of(segment.direction);
-      return {NearVector::of(p), q.from(f), {along, abs(along)}};
+      return {NearVector::of(p), q.from(f), LeadingVector::of(along)};
     };
-    LeadingBox box{NearVector::of(in_box[0]), NearVector::of(in_box[0])};
-    for (const Vector& v : in_box) box = around(box, {NearVector::of(v), NearVector::of(v)});
-    const bool is_beyond = certainly_beyond_a_side({leading(from), leading(to)}, box,
+    LeadingBox box = LeadingBox::of(NearVector::of(in_box[0]));
+    for (const Vector& v : in_box) box = around(box, LeadingBox::of(NearVector::of(v)));
+    const bool is_beyond = certainly_beyond_a_side(std::array{leading(from), leading(to)}, box,
                                                    {NearVector::of(f.direction), along_f});
     bool is_inside = false;
     for (std::size_t k = 0; k < in_box.size(); ++k) {
