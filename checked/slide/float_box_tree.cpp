@@ -253,8 +253,14 @@ template <typename EachEdge>
 FloatBoxTree::Moments FloatBoxTree::with_strip(const Edges& edges, std::size_t here,
                                                const Moments& left, const Moments& right,
                                                const EachEdge& each_edge) {
+  Node& node = nodes_[here];
+  // Opening it helps little where its halves are nearly as large.
+  const float size = half_circumference(node.box);
+  const float of_halves =
+      half_circumference(nodes_[here + 1].box) + half_circumference(nodes_[node.right].box);
+  node.size = std::clamp(4 * (2 * size - of_halves), size / 64, size);
   if (edges.segments.empty()) return {};
-  const FloatBox box = nodes_[here].box;
+  const FloatBox box = node.box;
 
   // The direction in which the edges are spread most, and their variance across it: a strip is at
   // least twice as wide as the root of that.
@@ -270,8 +276,8 @@ FloatBoxTree::Moments FloatBoxTree::with_strip(const Edges& edges, std::size_t h
   const Strip strip = strip_around(edges.segments, each_edge, dx, dy);
   const double width = strip.high - strip.low;
   if (4 * width > across_box) return all;
-  nodes_[here].strip = static_cast<std::uint32_t>(strips_.size());
-  nodes_[here].size = static_cast<float>(2 * width);
+  node.strip = static_cast<std::uint32_t>(strips_.size());
+  node.size = std::min(node.size, static_cast<float>(2 * width));
   strips_.push_back(strip);
   return all;
 }
