@@ -244,18 +244,18 @@ class SvgReader {
     Sheet& sheet = builder_.layout.sheets.back();
     const std::string what =
         around.is_container ? "container" : "part " + std::to_string(sheet.parts.size() + 1);
-    const Region& original = naming(what, [&]() -> const Region& { return region(element); });
-    if (original.components.empty()) return;
+    const Region* original = naming(what, [&] { return &region(element); });
+    if (original->components.empty()) return;
     if (around.map.determinant() == 0)
       builder_.input.refuse(document_.at(element), what + " is flat after its transform",
                             "a part with area");
     if (!around.is_container)
       return builder_.place(around.label,
-                            around.uses > 0 ? around.line : document_.at(element).line, &original,
-                            original, around.map);
+                            around.uses > 0 ? around.line : document_.at(element).line, original,
+                            *original, around.map);
     if (sheet.container)
       builder_.input.refuse(document_.at(element), "a second container", "one for all parts");
-    sheet.container = image(around.map, original);
+    sheet.container = image(around.map, *original);
   }
 
   Builder& builder_;

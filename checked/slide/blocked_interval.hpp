@@ -140,7 +140,8 @@ requires(!is_rational<Numbers>) std::optional<BlockedInterval<Result>> blocked_i
 inline std::optional<BlockedInterval<RationalNumbers>> blocked_interval(
     const IntegerSegment<RationalNumbers>& segment, const IntegerSegment<RationalNumbers>& of_p,
     const IntegerSegment<RationalNumbers>& of_q, Shift shift) {
-  const auto& scaled = detail::with_common_denominators<3>({&segment, &of_p, &of_q});
+  const std::array all{&segment, &of_p, &of_q};
+  const auto& scaled = detail::with_common_denominators(all);
   return blocked_interval<AnyNumbers, RationalNumbers>(scaled[0], scaled[1], scaled[2], shift);
 }
 

@@ -71,7 +71,7 @@ class FloatBoxTree {
     FloatBox box;
     std::uint32_t edge;   ///< of a leaf, else none
     std::uint32_t right;  ///< of an inner node, else none; the left child is the next node
-    float size;           ///< at most half the circumference of the box, to choose which node to open
+    float size;  ///< at most half the circumference of the box, to choose which node to open
     std::uint32_t strip;  ///< the number of a strip around what the box is around, or none
 
     bool is_leaf() const { return right == none; }

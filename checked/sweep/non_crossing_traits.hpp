@@ -7,6 +7,7 @@
 #include <boost/variant.hpp>
 #include <cstdint>
 #include <utility>
+#include <variant>
 
 #include "reference/definitions/contract.hpp"
 
@@ -70,18 +71,27 @@ class NonCrossingTraits : public CGAL::Arr_segment_traits_2<Kernel> {
     OutputIterator operator()(const X_monotone_curve_2& a, const X_monotone_curve_2& b,
                               OutputIterator out) const {
       if (a.chain() != no_chain && a.chain() == b.chain()) return out;
-      using MeetingPoint = std::pair<Point_2, Multiplicity>;
-      using Meeting = boost::variant<MeetingPoint, X_monotone_curve_2>;
-      const auto add = [&](const boost::variant<MeetingPoint, BaseCurve>& meeting) {
-        const auto* at = boost::get<MeetingPoint>(&meeting);
+      // Of Boost, or of std from CGAL 6 on.
+      const auto add = [&]<template <typename...> typename Variant>(
+                           const Variant<MeetingPoint, BaseCurve>& meeting) {
+        const MeetingPoint* at = point_of(meeting);
         OPLUS_REQUIRES(at != nullptr, "strands do not overlap");
-        if (at != nullptr) *out++ = Meeting(*at);
+        if (at != nullptr) *out++ = Variant<MeetingPoint, X_monotone_curve_2>(*at);
       };
       base_.intersect_2_object()(a, b, boost::make_function_output_iterator(add));
       return out;
     }
 
    private:
+    using MeetingPoint = std::pair<Point_2, Multiplicity>;
+
+    static const MeetingPoint* point_of(const boost::variant<MeetingPoint, BaseCurve>& meeting) {
+      return boost::get<MeetingPoint>(&meeting);
+    }
+    static const MeetingPoint* point_of(const std::variant<MeetingPoint, BaseCurve>& meeting) {
+      return std::get_if<MeetingPoint>(&meeting);
+    }
+
     const Base& base_;
   };
   Intersect_2 intersect_2_object() const { return Intersect_2(*this); }
