@@ -124,6 +124,10 @@ struct LeadingBox {
   }
   /// The corner whose skew product with d is the largest, or the least.
   NearVector corner(const NearVector& d, bool largest) const {
+    if (OPLUS_MUTANT(
+            "slide-takes-the-other-corner",
+            "the corner of a box by leading digits that is nearest to a line tells what is beyond it"))
+      largest = !largest;
     return {(d.y.mantissa < 0) == largest ? high.x : low.x,
             (d.x.mantissa < 0) == largest ? low.y : high.y};
   }

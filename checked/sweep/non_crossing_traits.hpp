@@ -2,6 +2,7 @@
 #pragma once
 
 #include <CGAL/Arr_segment_traits_2.h>
+#include <CGAL/version.h>
 
 #include <boost/iterator/function_output_iterator.hpp>
 #include <boost/variant.hpp>
@@ -12,6 +13,20 @@
 #include "reference/definitions/contract.hpp"
 
 namespace oplus {
+
+/// Of Boost, and from CGAL 6 on of std.
+namespace variants {
+#if CGAL_VERSION_MAJOR < 6
+using boost::variant;
+template <typename T, typename... Ts>
+const T* get_if(const variant<Ts...>* value) {
+  return boost::get<T>(value);
+}
+#else
+using std::get_if;
+using std::variant;
+#endif
+}  // namespace variants
 
 /// Says which translated chain a curve is a part of. Parts of one translated chain never cross: the
 /// chain is simple.
@@ -71,27 +86,17 @@ class NonCrossingTraits : public CGAL::Arr_segment_traits_2<Kernel> {
     OutputIterator operator()(const X_monotone_curve_2& a, const X_monotone_curve_2& b,
                               OutputIterator out) const {
       if (a.chain() != no_chain && a.chain() == b.chain()) return out;
-      // Of Boost, or of std from CGAL 6 on.
-      const auto add = [&]<template <typename...> typename Variant>(
-                           const Variant<MeetingPoint, BaseCurve>& meeting) {
-        const MeetingPoint* at = point_of(meeting);
+      using MeetingPoint = std::pair<Point_2, Multiplicity>;
+      const auto add = [&](const variants::variant<MeetingPoint, BaseCurve>& meeting) {
+        const auto* at = variants::get_if<MeetingPoint>(&meeting);
         OPLUS_REQUIRES(at != nullptr, "strands do not overlap");
-        if (at != nullptr) *out++ = Variant<MeetingPoint, X_monotone_curve_2>(*at);
+        if (at != nullptr) *out++ = variants::variant<MeetingPoint, X_monotone_curve_2>(*at);
       };
       base_.intersect_2_object()(a, b, boost::make_function_output_iterator(add));
       return out;
     }
 
    private:
-    using MeetingPoint = std::pair<Point_2, Multiplicity>;
-
-    static const MeetingPoint* point_of(const boost::variant<MeetingPoint, BaseCurve>& meeting) {
-      return boost::get<MeetingPoint>(&meeting);
-    }
-    static const MeetingPoint* point_of(const std::variant<MeetingPoint, BaseCurve>& meeting) {
-      return std::get_if<MeetingPoint>(&meeting);
-    }
-
     const Base& base_;
   };
   Intersect_2 intersect_2_object() const { return Intersect_2(*this); }

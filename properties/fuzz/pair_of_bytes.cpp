@@ -16,18 +16,20 @@ namespace {
 /// Around the limits of slide's stages of numbers.
 constexpr std::array magnitudes{0U,  8U,  28U, 29U, 30U,  31U,  32U,  53U,  61U,  62U,
                                 63U, 64U, 65U, 92U, 123U, 124U, 125U, 126U, 128U, 256U};
-/// 1/4 and 1/9 make a summand large beside the other one.
-constexpr std::array denominators{"1",
-                                  "2",
-                                  "3",
-                                  "1/4",
-                                  "1/9",
-                                  "7",
-                                  "10",
-                                  "1000003",
-                                  "2147483647",
-                                  "2305843009213693951",
-                                  "3298534883328"};
+/// 1/4 and 1/9 make a summand large beside the other one, the last so large that doubles see that as a point.
+constexpr std::array denominators{
+    "1",
+    "2",
+    "3",
+    "1/4",
+    "1/9",
+    "7",
+    "10",
+    "1000003",
+    "2147483647",
+    "2305843009213693951",
+    "3298534883328",
+    "1/1000000000000000000000000000000000000000000000000000000000000000000000000000000000000"};
 constexpr std::array offsets{"0",
                              "1048577",
                              "-268435456",

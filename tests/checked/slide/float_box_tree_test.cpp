@@ -118,7 +118,8 @@ std::size_t walk(const FloatBoxTree& tree, std::uint32_t node, std::vector<std::
   const FloatBoxTree::Node& here = tree[node];
   const double circumference =
       2 * (high_x(here.box) - low_x(here.box) + high_y(here.box) - low_y(here.box));
-  EXPECT_NEAR(static_cast<double>(here.size), circumference / 2, 1e-3);
+  EXPECT_LE(static_cast<double>(here.size), circumference / 2 + 1e-3);
+  EXPECT_GE(static_cast<double>(here.size), circumference / (here.is_leaf() ? 2 : 128) - 1e-3);
   EXPECT_EQ(here.strip, FloatBoxTree::none);
   if (here.is_leaf()) {
     leaves.push_back(here.edge);
@@ -144,6 +145,17 @@ TEST_P(BoxTreeOf, boxes_has_each_once_and_is_balanced) {
   FloatBox all = boxes[0];
   for (const FloatBox& box : boxes) all = around(all, box);
   EXPECT_TRUE(same(tree[0].box, all));
+}
+
+TEST(FloatBoxTree, takes_a_node_for_small_whose_halves_are_as_large) {
+  const auto row_of_boxes = [](double height) {
+    std::vector<FloatBox> boxes;
+    for (int i = 0; i < 64; ++i) boxes.push_back(box_around(i, 0, i + 1, height));
+    return FloatBoxTree(boxes);
+  };
+  EXPECT_EQ(row_of_boxes(1)[0].size, 65);
+  EXPECT_EQ(row_of_boxes(1000)[0].size, 4 * 64);
+  EXPECT_EQ(row_of_boxes(100'000)[0].size, 100'064.0F / 64);
 }
 
 TEST_P(BoxTreeOf, boxes_has_each_at_its_leaf) {
