@@ -80,9 +80,8 @@ class BlockingSearch {
       ++effort.box_pairs;
       if (const auto halves = halves_of(boxes)) {
         const FloatBox first = sum_of(halves->first), second = sum_of(halves->second);
-        const bool in_first = contains(first, point) && !beside_strips(halves->first, near, near);
-        const bool in_second =
-            contains(second, point) && !beside_strips(halves->second, near, near);
+        const bool in_first = contains(first, point) && !are_apart(halves->first, near, near);
+        const bool in_second = contains(second, point) && !are_apart(halves->second, near, near);
         if (in_first && in_second) {
           const bool swap = distance(second, near) < distance(first, near);
           waiting_[waiting++] = swap ? halves->first : halves->second;
@@ -143,7 +142,7 @@ class BlockingSearch {
       swept.leave_out_touching(segment.near, exactly);
     strips_from_ = effort.box_pairs + without_strips;
     const auto may_meet = [&](const Pair& boxes) {
-      return swept.may_meet(sum_of(boxes)) && !beside_strips(boxes, from, to);
+      return swept.may_meet(sum_of(boxes)) && !are_apart(boxes, from, to);
     };
     for (Pair boxes : left_out_) {
       if (!may_meet(boxes)) continue;
@@ -338,12 +337,17 @@ class BlockingSearch {
     return true;
   }
 
-  /// Whether a strip around one of two nodes shows that no place between two is in the sum of what both
-  /// are around. Boxes are enough for most searches: strips are only looked at in one that takes long.
+  /// Whether more than boxes shows that no place between two is in the sum of what two nodes are around. Boxes are
+  /// enough for most searches: strips are only looked at in one that takes long.
+  bool are_apart(const Pair& boxes, const ApproximatePoint& from,
+                 const ApproximatePoint& to) const {
+    if constexpr (!has_fixed_width<Numbers>)
+      if (digits_.are_outside(boxes.first, boxes.second)) return true;
+    return effort.box_pairs >= strips_from_ && beside_strips(boxes, from, to);
+  }
+
   bool beside_strips(const Pair& boxes, const ApproximatePoint& from,
                      const ApproximatePoint& to) const {
-    if (digits_.are_outside(boxes.first, boxes.second)) return true;
-    if (effort.box_pairs < strips_from_) return false;
     const FloatBoxTree::Node& a = summands_.tree_of_p[boxes.first];
     const FloatBoxTree::Node& b = summands_.tree_of_q[boxes.second];
     if (a.is_leaf() && b.is_leaf()) return false;  // certainly_outside() tells more

@@ -258,7 +258,7 @@ FloatBoxTree::Moments FloatBoxTree::with_strip(const Edges& edges, std::size_t h
   const float size = half_circumference(node.box);
   const float of_halves =
       half_circumference(nodes_[here + 1].box) + half_circumference(nodes_[node.right].box);
-  node.size = std::clamp(4 * (2 * size - of_halves), size / 64, size);
+  node.size = std::clamp(8 * (2 * size - of_halves), size / 64, size);
   if (edges.segments.empty()) return {};
   const FloatBox box = node.box;
 

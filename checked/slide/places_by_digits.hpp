@@ -18,7 +18,10 @@ class PlacesByDigits {
  public:
   explicit PlacesByDigits(const IntegerSummands<Numbers>& summands) : summands_(summands) {}
 
-  bool are_needed() const { return !summands_.p.leading.empty(); }
+  bool are_needed() const {
+    if constexpr (has_fixed_width<Numbers>) return false;
+    return !summands_.p.leading.empty();
+  }
 
   /// One place where both are the same object.
   void look_at(const ReducedSegment<Numbers>& segment, const Fraction<Numbers>& from,
