@@ -90,7 +90,7 @@ class NonCrossingTraits : public CGAL::Arr_segment_traits_2<Kernel> {
       const auto add = [&](const variants::variant<MeetingPoint, BaseCurve>& meeting) {
         const auto* at = variants::get_if<MeetingPoint>(&meeting);
         OPLUS_REQUIRES(at != nullptr, "strands do not overlap");
-        if (at != nullptr) *out++ = variants::variant<MeetingPoint, X_monotone_curve_2>(*at);
+        if (at != nullptr) *out++ = *at;
       };
       base_.intersect_2_object()(a, b, boost::make_function_output_iterator(add));
       return out;

@@ -154,7 +154,7 @@ TEST(FloatBoxTree, takes_a_node_for_small_whose_halves_are_as_large) {
     return FloatBoxTree(boxes);
   };
   EXPECT_EQ(row_of_boxes(1)[0].size, 65);
-  EXPECT_EQ(row_of_boxes(1000)[0].size, 4 * 64);
+  EXPECT_EQ(row_of_boxes(1000)[0].size, 8 * 64);
   EXPECT_EQ(row_of_boxes(100'000)[0].size, 100'064.0F / 64);
 }
 
