@@ -71,9 +71,9 @@ struct LeadingVector {
 /// The sign of the skew product of d and v where it is certain, else 0.
 inline int certain_side(const NearVector& d, const LeadingVector& v) {
   const NearNumber difference = d.x * v.near.y - d.y * v.near.x;
-  // It is off by at most 2^(bits - 46), and of at least a quarter of the power of two with its exponent.
+  // It is off by at most 2^(bits - 46), and of at least an eighth of the power of two with its exponent.
   const long bits = std::max(bits_of(d.x) + v.bits_y, bits_of(d.y) + v.bits_x);
-  if (difference.mantissa == 0 || difference.exponent <= bits - 44) return 0;
+  if (difference.mantissa == 0 || difference.exponent <= bits - 43) return 0;
   return difference.mantissa > 0 ? 1 : -1;
 }
 

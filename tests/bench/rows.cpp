@@ -152,8 +152,8 @@ Row tall_comb_row(long teeth) {
           }};
 }
 
-/// The worst that we know for a segment: beside the large square, all boxes of the star are a point, so that each of
-/// its edges is looked at by the leading digits of its coordinates, for each segment.
+/// The worst that we know for a segment: beside the large square, all that doubles see of the star is a point, so that
+/// leading digits tell what does not block.
 Row far_scales_row(std::size_t n) {
   return {.name = "far_scales_" + std::to_string(n),
           .group = "hard",
