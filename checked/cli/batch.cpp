@@ -438,8 +438,8 @@ void add_batch(Program& program) {
       "  2  some lines are errors; or invalid usage, or a file that cannot be read or written; or --resume of\n"
       "     the output of another job\n"
       "  3  a bug in oplus; please report it");
-  options.given = [command = command] {
-    return command.given({"--help", "--output", "--resume", "--shard", "--threads"});
+  options.given = [of_batch = command] {
+    return of_batch.given({"--help", "--output", "--resume", "--shard", "--threads"});
   };
   const auto merged = std::make_shared<MergeOptions>();
   const Command below = program.add_below(

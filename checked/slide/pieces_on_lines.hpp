@@ -66,11 +66,12 @@ class PiecesOnLines {
 
   static OnLine on_line(const ReducedSegments<Numbers>& segments, const FreePiece<Numbers>& piece) {
     const ReducedSegment<Numbers> segment = segments[piece.segment];
-    const auto& [source, d] = segment.exact;
+    const IntegerVector<Numbers>& source = segment.exact.source;
+    const IntegerVector<Numbers>& d = segment.exact.direction;
     const Value common = common_factor(d.x, d.y);
     const IntegerVector<Numbers> direction{d.x / common, d.y / common};
     const bool is_steep = d.x == 0;
-    const auto position = [&, &source = source, &d = d](const Fraction<Numbers>& t) {
+    const auto position = [&](const Fraction<Numbers>& t) {
       const ApproximatePoint near = near_place(segment, t);
       return Position{is_steep ? source.y : source.x, is_steep ? d.y : d.x, t,
                       is_steep ? near.y : near.x};
