@@ -42,7 +42,9 @@ class BlockingSearch {
   using Interval = BlockedInterval<Numbers>;
 
   BlockingSearch(const IntegerSummands<Numbers>& summands, Shift shift)
-      : summands_(summands), shift_(shift), digits_(summands) {}
+      : summands_(summands), shift_(shift), digits_(summands) {
+    if (!compares_all_pairs()) summands.prepare_boxes();
+  }
 
   /// An interval that contains t, if there is one.
   std::optional<Interval> at(const ReducedSegment<Numbers>& segment, const Fraction<Numbers>& t) {

@@ -10,6 +10,8 @@
 #include <span>
 #include <utility>
 
+#include "checked/slide/parallel_for.hpp"
+
 namespace oplus::slide {
 
 namespace {
@@ -33,6 +35,7 @@ struct FloatBoxTree::Edges {
   const std::vector<FloatBox>& boxes;
   std::span<const NearSegment> segments;  ///< empty if there are no strips
   std::vector<std::uint32_t> order;       ///< that of the leaves
+  std::size_t of_a_thread;                ///< twice as many are divided between two
 };
 
 /// The edges from the first up to, not including, the last.
@@ -162,12 +165,13 @@ struct FloatBoxTree::Moments {
 
 FloatBoxTree::FloatBoxTree(const std::vector<FloatBox>& of_edges,
                            std::span<const NearSegment> segments,
-                           std::span<const std::uint32_t> chains) {
-  constexpr std::size_t too_few_for_strips = 32;
+                           std::span<const std::uint32_t> chains, unsigned threads) {
+  constexpr std::size_t too_few_for_strips = 32, too_few_for_a_thread = 1024;
   const auto size = static_cast<std::uint32_t>(of_edges.size());
   Edges edges{of_edges,
               segments.size() < too_few_for_strips ? std::span<const NearSegment>() : segments,
-              std::vector<std::uint32_t>(size)};
+              std::vector<std::uint32_t>(size),
+              std::max<std::size_t>(too_few_for_a_thread, size / std::max(threads, 1u))};
   std::iota(edges.order.begin(), edges.order.end(), 0u);
   nodes_.reserve(2 * of_edges.size());
   std::vector<PartOfBoundary> parts;
@@ -202,9 +206,9 @@ FloatBoxTree::Moments FloatBoxTree::add(Edges& edges, std::span<PartOfBoundary> 
   }
   const std::size_t here = nodes_.size();
   nodes_.push_back({box, none, none, half_circumference(box), none});
-  const Moments left = add(edges, chains.first(middle));
-  nodes_[here].right = static_cast<std::uint32_t>(nodes_.size());
-  const Moments right = add(edges, chains.subspan(middle));
+  const auto [left, right] = add_halves(
+      edges, all, [&](FloatBoxTree& tree) { return tree.add(edges, chains.first(middle)); },
+      [&](FloatBoxTree& tree) { return tree.add(edges, chains.subspan(middle)); });
   return with_strip(edges, here, left, right, [&](const auto& visit) {
     for (const PartOfBoundary& chain : chains)
       for (std::uint32_t edge = chain.first; edge < chain.last; ++edge) visit(edge);
@@ -241,12 +245,39 @@ FloatBoxTree::Moments FloatBoxTree::add(Edges& edges, std::uint32_t first, std::
     }
   }
   const std::uint32_t middle = first + (last - first) / 2;
-  const Moments left = add(edges, first, middle, halves.first, settled);
-  nodes_[here].right = static_cast<std::uint32_t>(nodes_.size());
-  const Moments right = add(edges, middle, last, halves.second, settled);
+  const auto [left, right] = add_halves(
+      edges, these.size(),
+      [&](FloatBoxTree& tree) { return tree.add(edges, first, middle, halves.first, settled); },
+      [&](FloatBoxTree& tree) { return tree.add(edges, middle, last, halves.second, settled); });
   return with_strip(edges, here, left, right, [&](const auto& visit) {
     for (const std::uint32_t edge : these) visit(edge);
   });
+}
+
+template <typename First, typename Second>
+std::pair<FloatBoxTree::Moments, FloatBoxTree::Moments> FloatBoxTree::add_halves(
+    const Edges& edges, std::size_t size, const First& add_first, const Second& add_second) {
+  const std::size_t here = nodes_.size() - 1;
+  if (size < 2 * edges.of_a_thread) {
+    const Moments first = add_first(*this);
+    nodes_[here].right = static_cast<std::uint32_t>(nodes_.size());
+    return {first, add_second(*this)};
+  }
+  FloatBoxTree other;
+  std::pair<Moments, Moments> moments;
+  parallel_for(2, 2, [&](std::size_t half) {
+    (half == 0 ? moments.first : moments.second) = half == 0 ? add_first(*this) : add_second(other);
+  });
+  const auto nodes = static_cast<std::uint32_t>(nodes_.size());
+  const auto strips = static_cast<std::uint32_t>(strips_.size());
+  nodes_[here].right = nodes;
+  for (Node node : other.nodes_) {
+    if (!node.is_leaf()) node.right += nodes;
+    if (node.strip != none) node.strip += strips;
+    nodes_.push_back(node);
+  }
+  strips_.insert(strips_.end(), other.strips_.begin(), other.strips_.end());
+  return moments;
 }
 
 template <typename EachEdge>

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "checked/slide/short_list.hpp"
@@ -83,7 +84,7 @@ class FloatBoxTree {
   /// are given by their first edges, and kept together. Requires: at least one box. O(n log^2 n).
   explicit FloatBoxTree(const std::vector<FloatBox>& of_edges,
                         std::span<const NearSegment> edges = {},
-                        std::span<const std::uint32_t> chains = {});
+                        std::span<const std::uint32_t> chains = {}, unsigned threads = 1);
 
   std::size_t size() const { return nodes_.size(); }
   const Node& operator[](std::uint32_t node) const { return nodes_[node]; }
@@ -98,6 +99,10 @@ class FloatBoxTree {
   /// Appends a tree over a range of the order, which is settled for so many halvings.
   Moments add(Edges& edges, std::uint32_t first, std::uint32_t last, const FloatBox& box,
               unsigned settled);
+  /// Appends the halves of a node, which add_first() and add_second() append to a tree.
+  template <typename First, typename Second>
+  std::pair<Moments, Moments> add_halves(const Edges& edges, std::size_t size,
+                                         const First& add_first, const Second& add_second);
   /// Adds a strip to a node, if it is narrow.
   template <typename EachEdge>
   Moments with_strip(const Edges& edges, std::size_t node, const Moments& left,

@@ -191,11 +191,11 @@ IntegerSummand<Numbers> integer_summand(const Region& region, const Scaling& sca
 }
 
 template <typename Numbers>
-FloatBoxTree float_box_tree(const IntegerSummand<Numbers>& summand) {
+FloatBoxTree float_box_tree(const IntegerSummand<Numbers>& summand, unsigned threads) {
   std::vector<FloatBox> boxes;
   boxes.reserve(summand.near.size());
   for (const NearSegment& s : summand.near) boxes.push_back(box_around<Numbers>(s));
-  return FloatBoxTree(boxes, span_of(summand.near), span_of(summand.first_of_chain));
+  return FloatBoxTree(boxes, span_of(summand.near), span_of(summand.first_of_chain), threads);
 }
 
 /// Around what the nodes of its tree stand for.

@@ -51,6 +51,7 @@ struct IntegerSummands {
   const IntegerSummand<Numbers>& p = kept_p_.summand();
   const IntegerSummand<Numbers>& q = kept_q_.summand();
   PairTable pairs;
+  /// Empty before prepare_boxes().
   const FloatBoxTree& tree_of_p = kept_p_.boxes();
   const FloatBoxTree& tree_of_q = kept_q_.boxes();
   /// By the nodes of the trees, where numbers may be out of the range of doubles, else empty.
@@ -67,9 +68,9 @@ struct IntegerSummands {
   bool has_several_components() const {
     return p.first_of_component.size() > 2 || q.first_of_component.size() > 2;
   }
-  void prepare_boxes() {
-    kept_p_.prepare_boxes();
-    kept_q_.prepare_boxes();
+  void prepare_boxes(unsigned threads = 1) const {
+    kept_p_.prepare_boxes(threads);
+    kept_q_.prepare_boxes(threads);
   }
   void drop_boxes() {
     if (own_p_) own_p_->drop_boxes();
@@ -83,7 +84,6 @@ struct IntegerSummands {
  private:
   void prepare() {
     if (pairs.is_empty()) {
-      prepare_boxes();
       const bool of_p = kept_p_.is_fit_to_cover(), of_q = kept_q_.is_fit_to_cover();
       if (of_p != of_q) convex = of_p ? Summand::P : Summand::Q;
     }

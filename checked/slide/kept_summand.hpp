@@ -36,9 +36,9 @@ class KeptSummand {
   const std::vector<LeadingBox>& leading_boxes() const { return leading_boxes_; }
   const ComponentTree& components() const { return components_; }
 
-  void prepare_boxes() const {
-    std::call_once(has_boxes_, [this] {
-      boxes_ = float_box_tree(summand_);
+  void prepare_boxes(unsigned threads = 1) const {
+    std::call_once(has_boxes_, [&] {
+      boxes_ = float_box_tree(summand_, threads);
       leading_boxes_ = slide::leading_boxes(summand_, boxes_);
     });
   }

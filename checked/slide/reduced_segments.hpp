@@ -9,6 +9,7 @@
 #include "checked/arithmetic/leave_out_copies.hpp"
 #include "checked/slide/edges_at_vertices.hpp"
 #include "checked/slide/integer_summands.hpp"
+#include "checked/slide/parallel_for.hpp"
 #include "reference/definitions/convolution.hpp"
 
 namespace oplus::slide {
@@ -17,14 +18,18 @@ namespace oplus::slide {
 template <typename Numbers>
 class ReducedSegments {
  public:
-  ReducedSegments(const Region& p, const Region& q, const Scaling& scaling)
-      : summands_(p, q, scaling), segments_(edges_at_vertices(summands_.p, summands_.q)) {}
+  ReducedSegments(const Region& p, const Region& q, const Scaling& scaling, unsigned threads = 1)
+      : summands_(p, q, scaling) {
+    prepare(threads);
+  }
   ReducedSegments(const KeptSummand<Numbers>& p, const KeptSummand<Numbers>& q,
-                  const Scaling& scaling)
-      : summands_(p, q, scaling), segments_(edges_at_vertices(summands_.p, summands_.q)) {}
+                  const Scaling& scaling, unsigned threads = 1)
+      : summands_(p, q, scaling) {
+    prepare(threads);
+  }
 
   const IntegerSummands<Numbers>& summands() const { return summands_; }
-  void prepare_boxes() { summands_.prepare_boxes(); }
+  void prepare_boxes() const { summands_.prepare_boxes(); }
   /// Of summands that are kept for this sum only. Nothing is searched any more.
   void drop_boxes() { summands_.drop_boxes(); }
   std::size_t size() const { return segments_.size(); }
@@ -85,6 +90,18 @@ class ReducedSegments {
   }
 
  private:
+  /// With the boxes, which are searched later, at the same time.
+  void prepare(unsigned threads) {
+    const auto add = [this] { segments_ = edges_at_vertices(summands_.p, summands_.q); };
+    if (threads < 2 || !summands_.pairs.is_empty()) return add();
+    parallel_for(2, 2, [&](std::size_t step) {
+      if (step == 0)
+        summands_.prepare_boxes(threads);
+      else
+        add();
+    });
+  }
+
   const IntegerSummand<Numbers>& with_edge(const EdgeAtVertex& s) const {
     return s.edge_of == Summand::P ? summands_.p : summands_.q;
   }

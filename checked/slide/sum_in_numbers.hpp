@@ -112,7 +112,7 @@ ComputedSum sum_of(ReducedSegments<Numbers>& segments, const Scaling& scaling, B
 template <typename Numbers>
 ComputedSum sum_in(const Region& p, const Region& q, const Scaling& scaling, Boundary boundary,
                    const EngineOptions& options) {
-  ReducedSegments<Numbers> segments(p, q, scaling);
+  ReducedSegments<Numbers> segments(p, q, scaling, options.threads);
   return sum_of(segments, scaling, boundary, options);
 }
 
@@ -121,7 +121,7 @@ ComputedSum sum_in(const PreparedSummand& p, const PreparedSummand& q, const Sca
                    Boundary boundary, const EngineOptions& options) {
   const auto kept_p = p.kept().in<Numbers>(p.region(), scaling, scaling.of_p);
   const auto kept_q = q.kept().in<Numbers>(q.region(), scaling, scaling.of_q);
-  ReducedSegments<Numbers> segments(*kept_p, *kept_q, scaling);
+  ReducedSegments<Numbers> segments(*kept_p, *kept_q, scaling, options.threads);
   return sum_of(segments, scaling, boundary, options);
 }
 

@@ -147,6 +147,35 @@ TEST_P(BoxTreeOf, boxes_has_each_once_and_is_balanced) {
   EXPECT_TRUE(same(tree[0].box, all));
 }
 
+TEST(FloatBoxTree, does_not_depend_on_the_number_of_threads) {
+  Random random(1);
+  std::vector<FloatBox> boxes;
+  std::vector<NearSegment> edges;
+  for (int i = 0; i < 9000; ++i) {
+    const double x = i, y = uniform(random, 0, 3000), dx = 1, dy = uniform(random, -3000, 3000);
+    edges.push_back({x, y, dx, dy});
+    boxes.push_back(box_around(x, y, x + dx, y + dy));
+  }
+  const std::vector<std::uint32_t> chains = {0, 3000, 3003};
+  const FloatBoxTree one(boxes, edges, chains);
+  std::size_t strips = 0;
+  for (const unsigned threads : {2u, 3u, 8u}) {
+    const FloatBoxTree many(boxes, edges, chains, threads);
+    ASSERT_EQ(many.size(), one.size());
+    for (std::uint32_t node = 0; node < one.size(); ++node) {
+      const FloatBoxTree::Node &a = one[node], &b = many[node];
+      ASSERT_TRUE(same(a.box, b.box) && a.edge == b.edge && a.right == b.right &&
+                  a.size == b.size && a.strip == b.strip)
+          << node;
+      if (a.strip == FloatBoxTree::none) continue;
+      ++strips;
+      const Strip &s = one.strip(a.strip), &t = many.strip(a.strip);
+      ASSERT_TRUE(s.dx == t.dx && s.dy == t.dy && s.low == t.low && s.high == t.high) << node;
+    }
+  }
+  EXPECT_GT(strips, 50u);
+}
+
 TEST(FloatBoxTree, takes_a_node_for_small_whose_halves_are_as_large) {
   const auto row_of_boxes = [](double height) {
     std::vector<FloatBox> boxes;
