@@ -69,6 +69,10 @@ void limit_resource(int resource, std::size_t value) {
 }
 
 void limit_memory(std::size_t limit_mb) {
+  // Of this program alone: one with sanitizers reserves terabytes.
+  rlimit own{};
+  ::getrlimit(RLIMIT_DATA, &own);
+  limit_resource(RLIMIT_DATA, own.rlim_max);
   if (limit_mb > 0) limit_resource(RLIMIT_AS, limit_mb * 1'000'000);
 }
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <sys/resource.h>
 #include <array>
 #include <filesystem>
 
@@ -51,6 +52,15 @@ TEST(RunProgram, returns_the_output_and_the_exit_code) {
 }
 
 TEST(RunProgram, standard_input_is_empty) { EXPECT_EQ(run_in_shell("cat; echo $?").output, "0\n"); }
+
+TEST(RunProgram, has_not_the_limit_of_memory_of_this_program) {
+  rlimit own{};
+  ASSERT_EQ(getrlimit(RLIMIT_DATA, &own), 0);
+  const rlimit less{own.rlim_max / 2, own.rlim_max};
+  ASSERT_EQ(setrlimit(RLIMIT_DATA, &less), 0);
+  EXPECT_EQ(run_in_shell("test $(ulimit -S -d) = $(ulimit -H -d)").code, 0);
+  EXPECT_EQ(setrlimit(RLIMIT_DATA, &own), 0);
+}
 
 TEST(RunProgram, arguments_arrive_as_they_are) {
   const std::string argument = "two words, 'quotes', \"more\" and $HOME\n";
