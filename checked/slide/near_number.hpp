@@ -37,14 +37,9 @@ struct NearNumber {
     const long apart = more.exponent - less.exponent;
     if (apart > 100) return more;
     const auto moved = std::bit_cast<double>(static_cast<std::uint64_t>(1023 - apart) << 52);
-    const double sum = more.mantissa + less.mantissa * moved;
-    if (sum == 0) return {0, 0};
-    // As frexp() does, of a number that is not too small for all its digits.
-    constexpr std::uint64_t exponent_bits = std::uint64_t{0x7FF} << 52;
-    const auto bits = std::bit_cast<std::uint64_t>(sum);
-    const auto by = static_cast<long>((bits & exponent_bits) >> 52) - 1022;
-    const std::uint64_t half = (bits & ~exponent_bits) | std::uint64_t{1022} << 52;
-    return {std::bit_cast<double>(half), more.exponent + by};
+    int by = 0;
+    const double sum = std::frexp(more.mantissa + less.mantissa * moved, &by);
+    return {sum, more.exponent + by};
   }
   friend NearNumber operator-(const NearNumber& a, const NearNumber& b) { return a + -b; }
   friend bool operator<(const NearNumber& a, const NearNumber& b) { return (a - b).mantissa < 0; }

@@ -114,10 +114,10 @@ class PlacesByDigits {
   }
 
   const IntegerSummands<Numbers>& summands_;
-  bool edge_of_p_ = false;  ///< whether the segment's edge is of P
-  EdgePair source_;         ///< of the segment, as the vertices of which it is the sum
-  bool is_one_ = false;
-  std::array<bool, 2> at_target_;  ///< whether that is the nearer end
+  bool edge_of_p_ = false;         ///< whether the segment's edge is of P
+  EdgePair source_;                ///< of the segment, as the vertices of which it is the sum
+  bool is_one_ = false;            ///< whether there is one place, else two
+  std::array<bool, 2> at_target_;  ///< whether a place is seen from the segment's other end
   std::array<LeadingVector, 2> along_;
 };
 

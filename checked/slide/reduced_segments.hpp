@@ -93,8 +93,8 @@ class ReducedSegments {
   /// With the boxes, which are searched later, at the same time.
   void prepare(unsigned threads) {
     const auto add = [this] { segments_ = edges_at_vertices(summands_.p, summands_.q); };
-    if (threads < 2 || !summands_.pairs.is_empty()) return add();
-    parallel_for(2, 2, [&](std::size_t step) {
+    if (!summands_.pairs.is_empty()) return add();
+    parallel_for(2, threads, [&](std::size_t step) {
       if (step == 0)
         summands_.prepare_boxes(threads);
       else
