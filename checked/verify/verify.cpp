@@ -7,12 +7,12 @@
 #include <utility>
 
 #include "checked/verify/collision_verdicts.hpp"
-#include "checked/verify/exceptional_places.hpp"
 #include "checked/verify/overlay.hpp"
 #include "checked/verify/sum_by_convex_parts.hpp"
 #include "checked/verify/witness.hpp"
 #include "reference/chains/near_point.hpp"
 #include "reference/chains/region_of.hpp"
+#include "reference/definitions/convolution.hpp"
 #include "reference/definitions/mutant.hpp"
 #include "reference/definitions/sorted_without_copies.hpp"
 #include "reference/definitions/squared_distance.hpp"
@@ -92,12 +92,7 @@ struct NormalForm {
       for (const Chain& hole : component.holes) holes.push_back(normal(hole));
       std::sort(holes.begin(), holes.end(), chain_is_less);
     }
-    std::sort(components.begin(), components.end(), [](const Component& a, const Component& b) {
-      if (chain_is_less(a.outer, b.outer)) return true;
-      return !chain_is_less(b.outer, a.outer) &&
-             std::lexicographical_compare(a.holes.begin(), a.holes.end(), b.holes.begin(),
-                                          b.holes.end(), chain_is_less);
-    });
+    std::ranges::sort(components, chain_is_less, &Component::outer);
   }
 
   bool operator==(const NormalForm& other) const {
@@ -279,14 +274,14 @@ const Words& words_for(ReasonKind kind) {
   return words.at(static_cast<std::size_t>(kind));
 }
 
-/// Segments on which all points lie that are inside the closed sum and not in the open one: computed
-/// where they are needed.
+/// Segments on which all points lie that are inside the closed sum and not in the open one: the convolution
+/// (thesis, Theorem 2.2.10), computed where it is needed.
 class Exceptional {
  public:
   Exceptional(const Region& p, const Region& q) : p_(p), q_(q) {}
 
   const std::vector<Segment>& places() {
-    if (!places_) places_ = exceptional_places(p_, q_);
+    if (!places_) places_ = segments(convolution(p_, q_));
     return *places_;
   }
 

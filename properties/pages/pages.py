@@ -21,14 +21,14 @@ from testing_page import testing_page
 from theorems_column import pages_with_theorems
 
 ROOT = Path(__file__).resolve().parents[2]
-RECORDED = {"theorems/runs.json", "theorems/kills.json", "theorems/graph.svg"}
+RECORDED = {"theorems/runs.json", "theorems/kills.json", "theorems/made.tsv", "theorems/graph.svg"}
 
 
 def all_pages(root, statements, mutants, records):
     """The texts of all pages, by their paths from docs/."""
     pages = {"../README.md": with_numbered_results(records.readme, statements, records.backing),
              "theorems.md": theorems_page(statements, mutants, records),
-             "mutants.md": mutants_page(mutants, records.kills),
+             "mutants.md": mutants_page(mutants, records.kills, records.made),
              "testing.md": testing_page(root, statements, mutants, records),
              "theorems/graph.md": graph_page(statements, records.backing),
              "theorems/graph.dot": graph_in_dot(statements, records)}

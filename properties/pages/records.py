@@ -2,6 +2,7 @@
 """What is recorded of statements: runs, kills, theorems of Coq, answers of SMT solvers; and how strongly that
 backs them."""
 
+import csv
 import json
 import re
 
@@ -77,6 +78,11 @@ def read(path):
     return json.loads(path.read_text(encoding="utf-8"))
 
 
+def rows(path, delimiter=","):
+    with path.open(encoding="utf-8", newline="") as file:
+        return list(csv.DictReader(file, delimiter=delimiter))
+
+
 class Backing:
     """How strongly each statement is backed."""
 
@@ -118,6 +124,7 @@ class Records:
             self.backing = Backing(root)
             self.runs = self.backing.runs
             self.kills = read(docs / "theorems/kills.json")["kills"]
+            self.made = rows(docs / "theorems/made.tsv", "\t")
             self.theorems = with_formal_statements(self.backing.theorems, proofs)
             self.queries = with_expected_answers(self.backing.queries)
             self.texts = texts(root)

@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """docs/testing.md: the text of testing.md beside this file, with figures counted in the sources and the records."""
 
-import csv
 import re
 
-from records import InvalidRecord, read
+from records import InvalidRecord, read, rows
 
 # Figures that are numbers of matches: in which files, and of what.
 MATCHES = {
@@ -71,11 +70,6 @@ def matches(root, name, pattern, what):
     return number
 
 
-def rows(path):
-    with path.open(encoding="utf-8", newline="") as file:
-        return list(csv.DictReader(file))
-
-
 def tests_by_kind(records):
     """The rows of the table of tests by the first words of their names."""
     text = ""
@@ -116,7 +110,7 @@ def figures(root, statements, mutants, records):
         raise InvalidRecord("docs/testing.md: says that no sum of oplus is wrong, the scoreboard's record says otherwise")
     found |= {
         "statements": len(statements), "enumerated": sum(run.get("enumerated", 0) for run in runs),
-        "random_pairs": sum(run["run"] for run in runs), "mutants": len(mutants), "kills": len(records.kills),
+        "random_pairs": sum(run["run"] for run in runs), "mutants": len(mutants), "kills": len(records.kills), "made_by_a_script": len(records.made),
         "theorems": len(records.theorems), "queries": len(records.queries),
         "cases": len(read(root / "tests/corpus/cases.json")["cases"]),
         "contracts": found["contracts_reference"] + found["contracts_checked"],

@@ -104,7 +104,8 @@ TEST(ReadingALayout, of_parts_and_placements) {
   expect_refusal(R"~({"placements": []})~", "in:1:1: the layout is without 'parts'");
   expect_refusal("{}", "in:1:1: an object without 'placements', 'items' and 'bins'");
   expect_refusal("", "in:1:1: the input is empty");
-  expect_refusal("{\"parts\": \n" + std::string(1, '\0') + "}", "in:2:1: the byte");
+  expect_refusal("{\"parts\": \n" + std::string(1, '\0') + "}",
+                 "in:2:1: the byte '\\x00' is not text");
 }
 
 TEST(ReadingALayout, of_files_beside_it) {
@@ -156,6 +157,13 @@ TEST(ReadingALayout, of_jagua_rs_and_sparrow) {
   std::string other = with("8");
   expect_refusal(other.replace(other.find("container_id\": 3"), 16, "container_id\": 4"),
                  "in:4:43: there is no container 4; expected the id of one");
+  std::string holes = with("8");
+  expect_refusal(
+      holes.replace(holes.find("[[4,4],"), 19, "[[1,1],[1,2],[2,2]],\n[[4,4],[6,4],[4,6],[6,6]]"),
+      "in:4:20: container 3: two edges of hole 2 of component 1 cross");
+  std::string untold = with("8");
+  expect_refusal(untold.replace(untold.find("\"polygon\""), 9, "5"),
+                 "in:2:191: container 3: 'type' is a number; expected a string");
   for (const std::string quality : {"1.5", "1e10"}) {
     std::string text = with("7");
     expect_refusal(text.replace(text.find("min_quality\": 1"), 15, "min_quality\": " + quality),
@@ -257,6 +265,8 @@ TEST(ReadingALayout, of_svg) {
       {R"~(<symbol id="s"/><use href="#s"/>)~", "in:2:2: the element symbol"},
       {R"~(<rect width="2" height="1"/><path class="hole" transform="scale(1)" d="M0 0 1 0 1 1z"/>)~",
        "in:2:30: part 1: a hole with a transform of its own"},
+      {R"~(<path d="M0 0h9v9h-9z"/><path class="hole" d="M1 1v1h1v-1z"/><path class="hole" d="M5 5L7 7V5L5 7z"/>)~",
+       "in:2:93: part 1: two edges of hole 2 of component 1 cross"},
       {R"~(<g transform="scale(2"/>)~", "in:2:22: the end of a transform"},
       {R"~(<rect width="2" height="1" rx="0.5"/>)~",
        "in:2:32: part 1: a rectangle with round corners"},
@@ -275,8 +285,10 @@ TEST(ReadingALayout, of_svg) {
       {R"~(<svg/>)~", "in:2:2: an svg inside another one"},
   };
   for (const auto& [content, message] : refused) expect_refusal(svg(content), message);
-  std::string deep;
+  std::string deep, beside;
   for (int i = 0; i < 1000000; ++i) deep += "<g>";
+  for (int i = 0; i < 300; ++i) beside += R"~(<rect width="1" height="1"/>)~";
+  EXPECT_EQ(read(svg(beside)).sheets[0].parts.size(), 300U);
   expect_refusal(svg(deep), "in:2:766: elements nested deeper than 256 levels");
   expect_refusal("<html/>", "in:1:1: markup without an element svg");
 }

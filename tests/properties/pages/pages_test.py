@@ -37,6 +37,8 @@ Rests on: fact-a, fact-b
 """
 PAIR = {"p": "POLYGON ((0 0, 1 0, 0 1, 0 0))", "q": "POLYGON ((0 0, 2 0, 0 3, 0 0))"}
 PAGE = "theorems/lemma-9.9.9.md"
+MADE = ("file\tline\tchange\tend\tby\nchecked/a.cpp\t7\ta < b -> a <= b\tcorpus\ta test\n"
+        "checked/a.cpp\t9\ta || b -> a && b\tthe same result\tb is a\n")
 # What docs/testing.md counts in, beside the records.
 COUNTED = {
     "tests/corpus/pairs.txt": "story: A.\n", "tests/corpus/named_placements.json": '"contact": ""',
@@ -47,6 +49,7 @@ COUNTED = {
     "docs/cost.csv": "version,lines of Coq,core-seconds of check,of release,of fuzz,of tests,number of tests,cases in C++,in Python\n"
                      "today,2345,60,60,60,120,5,2,1\n",
     "docs/tests.csv": "kind,default tests,core-seconds,other tests\nchecked,5,119,2\n",
+    "docs/theorems/made.tsv": MADE,
     "docs/scoreboard/runs.json": json.dumps({"sums": {"slide": {"sums": {"passed": 7}, "failures": {}},
                                                       "clipper": {"failures": {"rounded": {}, "crashed": {}}}},
                                              "parts": {"slide": {"sums": {"passed": 8}, "failures": {}},
@@ -159,6 +162,12 @@ class Pages(unittest.TestCase):
         change(lambda: self.first().update(hypotheses=[]), PAGE)
         change(lambda: self.run["counts"].update(edges=98), PAGE)
         change(lambda: self.kill.update(cases=6), "mutants.md", PAGE)
+        change(lambda: self.write("docs/theorems/made.tsv", MADE.replace("a < b", "b < a")))  # of a killed one only numbers are shown
+        change(lambda: self.write("docs/theorems/made.tsv", MADE.replace("b is a", "b is not a")), "mutants.md")
+        self.write("docs/theorems/made.tsv", MADE)
+        self.assertIn("| corpus | 1 |\n| statements | 0 |\n| comparison | 0 |\n| *all* | 2 |", (self.docs / "mutants.md").read_text(encoding="utf-8"))
+        self.assertIn("](../checked/a.cpp):9 | `a \\|\\| b -> a && b` | the same result: b is a |\n",
+                      (self.docs / "mutants.md").read_text(encoding="utf-8"))
         change(lambda: self.query["counterexamples"]["one"].update(x="-1"), PAGE)
         self.write("properties/proofs/as_printed/lemma.v", "Theorem edges_exist (a : nat) :\n  a = a.\nProof. easy. Qed.\n")
         self.draw("#7cc26a")
