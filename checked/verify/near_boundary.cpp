@@ -57,7 +57,7 @@ bool contains_when_grown(const Boundaries& set, const PlanarSet& features, const
   const PlanarSet grown = set_sum(all, canonical_sum(square), Boundary::closed, sum_by_definition);
   const Overlay overlay(given(set_of(other)), grown);
   return std::ranges::none_of(overlay.differences(), [](const Overlay::Difference& difference) {
-    return difference.reason.in_given && !difference.reason.in_sum;
+    return difference.reason.in_given;
   });
 }
 
