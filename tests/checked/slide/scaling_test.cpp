@@ -56,7 +56,9 @@ TEST(Scaling, of_sums_in_which_either_summand_has_unlike_denominators) {
     chain.push_back({i + Rational(1, power_of_two(60).get_num() + 2 * i + 1), i * i});
   const Region unlike = polygon(chain);
   const PlanarSet sum = slide_sum(square, unlike, Boundary::closed).sum;
-  EXPECT_EQ(sum, slide_sum(unlike, square, Boundary::closed).sum);
+  for (const auto& [p, q] : {std::pair(&unlike, &square), {&square, &unlike}})
+    for (const SlideNumbers numbers : {SlideNumbers::as_needed, SlideNumbers::gmp})
+      EXPECT_EQ(sum, slide_sum(*p, *q, Boundary::closed, {.numbers = numbers}).sum);
   EXPECT_EQ(sum.outer.at(0).front(), chain[0]);
 }
 
