@@ -120,8 +120,8 @@ Origins origins_of(const PlanarSet& sum, const ConvolutionArrangement& arrangeme
     }
     pieces.emplace(piece.edge.source, std::move(piece));
   };
-  // On the regularized boundary all origins run along the edge; on a dangling edge, either way. None is at a reflex vertex:
-  // interiors meet there.
+  // On the regularized boundary all origins run along the edge, on a dangling edge either way. Segments of reflex vertices
+  // run along neither.
   for (const Halfedge h : boundary.edges) add(arrangement.geometry(h), {h});
   for (const Halfedge h : boundary.dangling)
     add(arrangement.geometry(h), {h, ConvolutionArrangement::twin(h)});
