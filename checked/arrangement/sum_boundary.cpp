@@ -115,16 +115,20 @@ Origins origins_of(const PlanarSet& sum, const ConvolutionArrangement& arrangeme
   const auto add = [&](Segment edge, std::initializer_list<Halfedge> halfedges) {
     Piece piece{std::move(edge), {}};
     for (const Halfedge h : halfedges) {
-      for (const std::uint32_t i : arrangement.along(h))
-        piece.origins.insert(arrangement.segment(i).origin);
+      for (const std::uint32_t i : arrangement.along(h)) {
+        const ConvolutionSegment& s = arrangement.segment(i);
+        if (!s.vertex_is_reflex) piece.origins.insert(s.origin);
+      }
     }
     pieces.emplace(piece.edge.source, std::move(piece));
   };
-  // On the regularized boundary all origins run along the edge, on a dangling edge either way. Segments of reflex vertices
-  // run along neither.
+  // On the regularized boundary all origins run along the edge; on a dangling edge, either way.
   for (const Halfedge h : boundary.edges) add(arrangement.geometry(h), {h});
-  for (const Halfedge h : boundary.dangling)
-    add(arrangement.geometry(h), {h, ConvolutionArrangement::twin(h)});
+  for (const Halfedge h : boundary.dangling) {
+    Segment edge = arrangement.geometry(h);
+    if (edge.target < edge.source) edge = reversed(edge);
+    add(std::move(edge), {h, ConvolutionArrangement::twin(h)});
+  }
 
   Origins result;
   for (const Segment& edge : edges(sum)) {

@@ -161,7 +161,6 @@ TEST(Verify, a_witness_is_in_the_largest_of_faces) {
   const Region given{{{spike, {}}, {box(1, 8, 2, 10), {}}}};
   const Verdict verdict = verify({}, unit, Boundary::closed, {given, {}, {}});
   ASSERT_FALSE(verdict.is_sum());
-  EXPECT_EQ(verdict.reasons[0].kind, ReasonKind::additional_component);
   EXPECT_EQ(verdict.reasons[0].size, 2 * 73);
   EXPECT_EQ(verdict.reasons[0].witness, (Point{4, 4})) << "below the middle, (4, 9/2)";
 }
