@@ -33,14 +33,16 @@ namespace {
 class Unit {
  public:
   explicit Unit(const Sheet& sheet) {
-    const auto add = [&](const Region& region) {
-      return add_denominators(value_, region, most_bits);
-    };
     bool is_short = true;
-    for (const PlacedPart& part : sheet.parts)
-      is_short = is_short && add(polygon({part.at})) && add(*part.shape);
-    if (sheet.container) is_short = is_short && add(*sheet.container);
-    for (const DefectiveZone& defect : sheet.defects) is_short = is_short && add(defect.region);
+    const auto add = [&](const Region& region) {
+      is_short = is_short && add_denominators(value_, region, most_bits);
+    };
+    for (const PlacedPart& part : sheet.parts) {
+      add(polygon({part.at}));
+      add(*part.shape);
+    }
+    if (sheet.container) add(*sheet.container);
+    for (const DefectiveZone& defect : sheet.defects) add(defect.region);
     if (!is_short) value_ = 1;
   }
 

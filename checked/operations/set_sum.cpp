@@ -221,7 +221,7 @@ PlanarSet open_sum(const PlanarSet& p, const PlanarSet& q, const PlanarSet& of_r
       [&](const SweptPiece& piece) {
         if ((piece.left > 0) != (piece.right > 0))
           features.edges.push_back(piece.left > 0 ? piece.segment : reversed(piece.segment));
-        else if (piece.left > 0 && piece.right <= piece.back &&
+        else if (piece.right <= piece.back &&
                  !OPLUS_MUTANT("open-sets-lose-edges",
                                "an open sum of sets with edges and points has no dangling edge") &&
                  !open_sum.contains(midpoint(piece.segment.source, piece.segment.target)))

@@ -78,38 +78,30 @@ class Division {
     pieces_.push_back(std::move(piece));
   }
 
-  /// By that one of the diagonals with half of the pieces on either side, or nearly half where these are along sides of
-  /// the polygon, which runs most directly across the whole.
+  /// By that one of the diagonals with half of the pieces on either side which runs most directly across the whole. One of
+  /// them at least is not along a side, since there are three sides.
   void halve(const ConvexRing& ring) {
     const std::size_t size = ring.corners.size();
-    const std::size_t half = count(size) / 2 * (most_ - 2) + 1;
+    const std::size_t steps = count(size) / 2 * (most_ - 2) + 1;
     std::vector<std::size_t> turns = {0};  // before each corner, twice round
     for (std::size_t k = 0; k < 2 * size; ++k)
       turns.push_back(turns.back() + (ring.is_flat[k % size] ? 0 : 1));
     const auto is_along_side = [&](std::size_t from, std::size_t to) {
       return turns[to] == turns[from + 1];
     };
-    for (std::size_t off = 0;; ++off) {
-      double least = std::numeric_limits<double>::infinity();
-      std::size_t from = size, to = size;
-      for (const std::size_t steps : {half + off, half - off}) {
-        if (steps < 2 || steps > size - 2) continue;
-        for (std::size_t k = 0; k < size; ++k) {
-          if (is_along_side(k, k + steps) || is_along_side(k + steps, k + size)) continue;
-          const Place& a = places_[ring.corners[k]];
-          const Place& b = places_[ring.corners[(k + steps) % size]];
-          const double width = std::abs(is_wide_ ? a.x - b.x : a.y - b.y);
-          if (from != size && width >= least) continue;
-          least = width;
-          from = k;
-          to = k + steps;
-        }
-      }
-      if (from == size) continue;
-      open_.push_back(part(ring, from, to));
-      open_.push_back(part(ring, to, from + size));
-      return;
+    double least = std::numeric_limits<double>::infinity();
+    std::size_t from = size;
+    for (std::size_t k = 0; k < size; ++k) {
+      if (is_along_side(k, k + steps) || is_along_side(k + steps, k + size)) continue;
+      const Place& a = places_[ring.corners[k]];
+      const Place& b = places_[ring.corners[(k + steps) % size]];
+      const double width = std::abs(is_wide_ ? a.x - b.x : a.y - b.y);
+      if (from != size && width >= least) continue;
+      least = width;
+      from = k;
     }
+    open_.push_back(part(ring, from, from + steps));
+    open_.push_back(part(ring, from + steps, from + size));
   }
 
   /// At the ends of a diagonal, both parts have convex corners.

@@ -47,7 +47,7 @@ PointGrid::Cells PointGrid::cells_of(std::span<const std::uint32_t> points) cons
   for (std::size_t cell = 0; columns.count * rows.count > 1 && cell + 1 < first.size(); ++cell) {
     const std::size_t size = first[cell + 1] - first[cell];
     if (size <= many) continue;
-    if (cells.in_cell.empty()) cells.in_cell.resize(first.size() - 1);
+    cells.in_cell.resize(first.size() - 1);
     cells.in_cell[cell] =
         std::make_unique<Cells>(cells_of({cells.points.data() + first[cell], size}));
   }

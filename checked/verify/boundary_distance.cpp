@@ -159,7 +159,7 @@ std::optional<Stretch> near_part(const Segment& s, const Segment& to, const Rati
   } else if (across * across > squared * other_length) {
     return result;
   }
-  if (beside && beside->low <= beside->high) extend(result, beside->low, beside->high);
+  if (beside->low <= beside->high) extend(result, beside->low, beside->high);
   return result;
 }
 
@@ -179,14 +179,12 @@ bool is_covered(const Segment& s, const SegmentTree& to, const Rational& squared
   std::sort(near.begin(), near.end(),
             [](const Stretch& a, const Stretch& b) { return a.low < b.low; });
   RootNumber reached{0};
-  bool started = false;
   for (const Stretch& part : near) {
     if (reached < part.low) return false;
-    started = true;
     if (reached < part.high) reached = part.high;
     if (!(reached < RootNumber{1})) return true;
   }
-  return started && !(reached < RootNumber{1});
+  return false;
 }
 
 }  // namespace

@@ -36,10 +36,10 @@ struct Ranks {
 
   int opposite(int rank) const { return rank < half ? rank + half : rank - half; }
 
-  /// The sign of the cross product.
-  int turn(int from, int to) const {
+  /// Whether the cross product is positive.
+  bool is_left_turn(int from, int to) const {
     const int ahead = to < from ? to - from + 2 * half : to - from;
-    return ahead == 0 || ahead == half ? 0 : ahead < half ? 1 : -1;
+    return 0 < ahead && ahead < half;
   }
 };
 
@@ -110,7 +110,7 @@ class ConvexSums::Search {
         // Of equal directions that of Q comes after that of P (thesis, Definition 2.2.7).
         const int in = of_vertex.lines[of_vertex.before[v]].rank;
         const int out = of_vertex.lines[v].rank;
-        if (ranks_.turn(in, out) <= 0) continue;
+        if (!ranks_.is_left_turn(in, out)) continue;
         const int after = edge_of == Summand::P ? 1 : 0;
         const auto from = first_from(in + after);
         const auto to = first_from(out + after);
@@ -287,8 +287,9 @@ class ConvexSums::Search {
     return cmp(exact(a), exact(b));
   }
 
+  /// Of an end of a gap: it is 0 or 1, or where lines cross.
   Point place(const End& end) {
-    if (are_small_ && end.is_quotient) {
+    if (are_small_) {
       // The numerator is below 2^50, the denominator below 2^49, coordinates are below 2^24.
       const auto numerator = static_cast<std::int64_t>(end.numerator);
       const auto denominator = static_cast<std::int64_t>(end.denominator);
@@ -300,8 +301,7 @@ class ConvexSums::Search {
       return {coordinate(near_source_.x, along_->near_along.x),
               coordinate(near_source_.y, along_->near_along.y)};
     }
-    if (end.line == nullptr && end.low == 0) return source();
-    if (end.line == nullptr && end.low == 1) return along_->to->point + by_->point;
+    if (end.line == nullptr) return end.low == 0 ? source() : along_->to->point + by_->point;
     return source() + exact(end) * along_->along();
   }
   Segment between(const Gap& gap) { return {place(gap.from), place(gap.to)}; }

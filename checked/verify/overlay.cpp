@@ -224,10 +224,10 @@ std::span<const std::uint32_t> Overlay::edges_of(std::size_t face) const {
 std::vector<Segment> Overlay::boundary_of(std::size_t face) const {
   std::vector<Segment> result;
   std::size_t first = 0;
+  std::optional<std::uint32_t> before;
   for (const std::uint32_t i : edges_of(face)) {
     const Edge& e = edges_[i];
-    const bool forth = e.left_face == face &&
-                       (result.empty() || e.right_face != face || result.back() != segment(e));
+    const bool forth = e.left_face == face && std::exchange(before, i) != i;
     result.push_back(forth ? segment(e) : reversed(segment(e)));
     if (!forth) continue;
     const Segment &start = result[first], &other = result.back();

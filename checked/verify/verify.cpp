@@ -160,7 +160,7 @@ class FeatureReasons {
         given_vertices_(sorted_without_copies(given.isolated_vertices)),
         on_given_edges_(given.dangling_edges),
         on_right_edges_(right.dangling_edges),
-        cutting_(together(given.dangling_edges, overlay.boundary_of_given(), edges(right))) {}
+        cutting_(features_and_edges(given, right, overlay)) {}
 
   std::vector<Reason> find() {
     for (const Segment& e : right_.dangling_edges) {
@@ -196,10 +196,13 @@ class FeatureReasons {
   }
 
  private:
-  static std::vector<Segment> together(std::vector<Segment> all, const std::vector<Segment>& more,
-                                       const std::vector<Segment>& others) {
-    all.insert(all.end(), more.begin(), more.end());
-    all.insert(all.end(), others.begin(), others.end());
+  static std::vector<Segment> features_and_edges(const ClaimedSum& given, const PlanarSet& right,
+                                                 const Overlay& overlay) {
+    std::vector<Segment> all = given.dangling_edges;
+    for (const std::vector<Segment>& more : {overlay.boundary_of_given(), edges(right)})
+      all.insert(all.end(), more.begin(), more.end());
+    for (const std::vector<Point>* points : {&given.isolated_vertices, &right.isolated_vertices})
+      for (const Point& p : *points) all.push_back({p, p});
     return all;
   }
 
@@ -211,11 +214,11 @@ class FeatureReasons {
     return overlay_.locate(p).of_given == Location::inside;
   }
 
+  /// Requires: it is no isolated vertex of the sum.
   bool is_in_sum(const Point& p) const {
     const Location where = overlay_.locate(p).of_right;
     if (boundary_ == Boundary::closed) return where != Location::outside;
-    return where == Location::inside && !is_one_of(p, right_.isolated_vertices) &&
-           !lies_on_one(p, on_right_edges_);
+    return where == Location::inside && !lies_on_one(p, on_right_edges_);
   }
 
   static std::string part_of(const Segment& piece, const Segment& whole) {
@@ -425,11 +428,6 @@ void ask_collision_test(const PlanarSet& sum, Boundary boundary, const Collision
   near.insert(near.end(), sum.dangling_edges.begin(), sum.dangling_edges.end());
   for (const Point& p : sum.isolated_vertices) near.push_back({p, p});
   const SegmentTree tree(std::move(near));
-  const auto all = [&] {
-    std::vector<Segment> result = edges(sum);
-    for (const Point& p : sum.isolated_vertices) result.push_back({p, p});
-    return result;
-  };
   for (std::size_t c = 0; c < chains.size(); ++c) {
     for (const bool left : {true, false}) {
       Point x;
@@ -437,7 +435,7 @@ void ask_collision_test(const PlanarSet& sum, Boundary boundary, const Collision
       for (int attempt = 0; attempt < 4; ++attempt) {
         x = attempt < 3 ? point_near(tree, first[c], left, attempt,
                                      room_around(box_of(first_ones.certified(c))))
-                        : point_left_of(first_ones[c], all(), exceptional.places());
+                        : point_left_of(first_ones[c], edges(sum), exceptional.places());
         meet = verdicts.interiors_meet_at(x);
         const bool may_be_exceptional = left && !meet && boundary == Boundary::closed;
         if (!may_be_exceptional) break;

@@ -64,6 +64,7 @@ TEST(Nesting, of_boxes_in_each_other) {
            {"an external loop in an external one is dropped unasked", "ee", "1", "bn", ""},
            {"a hole in a hole is dropped unasked", "ehh", "1", "bbn", "1"},
            {"what is in a fallen loop is judged as its sibling", "ehhe", "23", "bxbb", "123"},
+           {"what is in a fallen external loop stays outside", "eheh", "1", "bbxn", "12"},
            {"what is in a loop of the wrong kind stays in the sum", "eeh", "2", "bnb", "2"},
        }) {
     const auto [verdicts, asked] = judged(row.boxes, row.boundary);

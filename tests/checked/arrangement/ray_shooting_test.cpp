@@ -5,6 +5,7 @@
 
 #include "checked/arrangement/winding_numbers.hpp"
 #include "properties/compare/corpus.hpp"
+#include "tests/reference/definitions/shapes.hpp"
 
 namespace oplus {
 namespace {
@@ -23,6 +24,11 @@ TEST(RayShooting, beside_every_edge_of_every_row_is_the_winding_number_of_the_fa
     }
   }
   EXPECT_GT(positive, 20u);
+}
+
+TEST(RayShooting, beside_an_edge_that_crosses_a_segment_in_its_middle_is_beside_the_upper_part) {
+  const RayShooting rays(edges(box(0, 0, 2, 2)));
+  EXPECT_EQ(rays.winding_number_right_of({{3, 0}, {1, 2}}), 1);
 }
 
 }  // namespace

@@ -242,7 +242,7 @@ TEST(ReadingALayout, of_svg) {
   EXPECT_EQ(described(read("<?xml version=\"1.0\"?><!DOCTYPE svg>" +
                            svg(R"~(<!-- <g> > --><style><![CDATA[<g>]]></style><symbol id="s"/>
 <g display="none"><path d="M0 0 h1 v1z"/></g><rect class="the bin of them" width="9" height="9"/>
-<rect class="holes binary" width="1" height="1"/>)~"))),
+<rect class="holes pothole binary" width="1" height="1"/>)~"))),
             "[POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0))]\n:4 POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))");
   EXPECT_EQ(described(read(
                 svg("<path class=\"hole\" d=\"M0 0 h1 v1z\"/>\n<rect width=\"9\" height=\"9\"/>\n"

@@ -34,6 +34,8 @@ TEST(HotPixels, has_left_and_lower_sides_only) {
   EXPECT_EQ(hot.passed({{half, -5}, {half, 5}}), Points());
   EXPECT_EQ(hot.passed({{-5, -half}, {5, -half}}), Points({{0, 0}}));
   EXPECT_EQ(hot.passed({{-5, half}, {5, half}}), Points());
+  const Rational beyond = -half - Rational(1, mpz_class(1) << 80);  // -half in doubles
+  EXPECT_EQ(hot.passed({{beyond, -5}, {beyond, 5}}), Points());
   // Corners: the lower left one only.
   EXPECT_EQ(hot.passed({{-1, 0}, {0, -1}}), Points({{0, 0}}));
   EXPECT_EQ(hot.passed({{1, 0}, {0, 1}}), Points());

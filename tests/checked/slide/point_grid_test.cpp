@@ -80,6 +80,28 @@ TEST(PointGrid, visits_all_on_a_segment_where_points_crowd_together) {
   }
 }
 
+TEST(PointGrid, visits_all_on_a_segment_where_points_are_in_line_or_equal_in_doubles) {
+  for (const int step : {0, 1}) {
+    Points points;
+    for (int k = 0; k < 70; ++k) points.add(7, step * k);
+    expect_complete(points);
+  }
+}
+
+TEST(PointGrid, does_not_visit_a_crowd_in_a_cell_that_a_segment_passes_elsewhere) {
+  Points points;
+  for (const int c : {510, 590}) {
+    for (const int far : {0, 1000}) {
+      points.add(c, far);
+      points.add(far, c);
+    }
+  }
+  for (int x = 540; x < 549; ++x)
+    for (int y = 540; y < 549; ++y) points.add(x, y);
+  for (const std::uint32_t from : {0U, 1U, 4U, 5U})
+    EXPECT_LE(visited(points, from, from + 2).size(), 8U) << "all but the crowd";
+}
+
 TEST(PointGrid, does_not_visit_a_crowd_for_each_of_its_points) {
   // A comb and points far away, each ten thousand times as far as the one before.
   Points points;

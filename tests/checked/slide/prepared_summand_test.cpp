@@ -60,6 +60,7 @@ TEST(PreparedSummand, is_kept_for_each_scaling) {
     all.emplace_back(times(factor, pair.p));
     all.emplace_back(times(factor, pair.q));
   }
+  all.emplace_back(translated(pair.q, {large, large}));  // only the offset is another one
   for (int round = 0; round < 2; ++round)
     for (const PreparedSummand& p : all)
       for (const PreparedSummand& q : all) expect_as_unprepared(p, q);

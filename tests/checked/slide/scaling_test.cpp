@@ -11,6 +11,14 @@
 namespace oplus::slide {
 namespace {
 
+/// A common denominator of its coordinates is long.
+Region unlike() {
+  Chain chain;
+  for (int i = 0; i < 6; ++i)
+    chain.push_back({i + Rational(1, power_of_two(60).get_num() + 2 * i + 1), i * i});
+  return polygon(chain);
+}
+
 TEST(Scaling, of_rationals_is_a_power_of_two) {
   for (const int exponent : {-300, -61, 0, 3, 61, 62, 63, 300}) {
     const Rational size = power_of_two(exponent) / 3;
@@ -38,26 +46,18 @@ TEST(Extent, is_of_all_chains_of_unbounded_regions_too) {
 }
 
 TEST(Extent, is_unlike_where_a_common_denominator_is_long) {
-  const auto extent = [](Denominators denominators) {
-    Chain chain;
-    for (int i = 0; i < 6; ++i)
-      chain.push_back({i + Rational(1, power_of_two(60).get_num() + 2 * i + 1), i * i});
-    return extent_of(polygon(chain), denominators);
-  };
-  EXPECT_TRUE(extent(Denominators::alike).is_unlike);
-  EXPECT_FALSE(extent(Denominators::any).is_unlike);
-  EXPECT_TRUE(has_unlike_denominators(extent(Denominators::any), {}));
+  EXPECT_TRUE(extent_of(unlike(), Denominators::alike).is_unlike);
+  EXPECT_FALSE(extent_of(unlike(), Denominators::any).is_unlike);
+  EXPECT_TRUE(has_unlike_denominators(extent_of(unlike(), Denominators::any), {}));
 }
 
 TEST(Scaling, of_sums_in_which_either_summand_has_unlike_denominators) {
-  const Region square = polygon(box(0, 0, 1, 1));
-  Chain chain;
-  for (int i = 0; i < 6; ++i)
-    chain.push_back({i + Rational(1, power_of_two(60).get_num() + 2 * i + 1), i * i});
-  const Region unlike = polygon(chain);
-  const PlanarSet sum = slide_sum(square, unlike, Boundary::closed).sum;
-  EXPECT_EQ(sum, slide_sum(unlike, square, Boundary::closed).sum);
-  EXPECT_EQ(sum.outer.at(0).front(), chain[0]);
+  const Region square = polygon(box(0, 0, 1, 1)), other = unlike();
+  const PlanarSet sum = slide_sum(square, other, Boundary::closed).sum;
+  for (const auto& [p, q] : {std::pair(&other, &square), {&square, &other}})
+    for (const SlideNumbers numbers : {SlideNumbers::as_needed, SlideNumbers::gmp})
+      EXPECT_EQ(sum, slide_sum(*p, *q, Boundary::closed, {.numbers = numbers}).sum);
+  EXPECT_EQ(sum.outer.at(0).front(), other.components[0].outer[0]);
 }
 
 }  // namespace

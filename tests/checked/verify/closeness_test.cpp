@@ -118,6 +118,14 @@ TEST(Closeness, chains_that_cross_by_rounding_are_accepted_and_said) {
   EXPECT_FALSE(close.no_partners.empty());
 }
 
+TEST(Closeness, an_isolated_vertex_inside_the_given_sum_is_as_near_as_its_boundary) {
+  const Rational half(1, 2);
+  PlanarSet right = canonical_sum(unit);
+  right.isolated_vertices = {{half, half}};
+  EXPECT_TRUE(closeness(right, {unit, {}, {}}, half).is_close());
+  EXPECT_FALSE(closeness(right, {unit, {}, {}}, half - Rational(1, 100)).is_close());
+}
+
 TEST(Closeness, of_nothing) {
   EXPECT_TRUE(closeness({}, {}, 0).is_close());
   const Closeness close = closeness(canonical_sum(unit), {}, 100);

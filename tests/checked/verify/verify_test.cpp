@@ -7,6 +7,7 @@
 #include "checked/verify/witness.hpp"
 #include "properties/compare/corpus.hpp"
 #include "reference/chains/region_of.hpp"
+#include "reference/definitions/collision.hpp"
 #include "reference/definitions/sorted_without_copies.hpp"
 #include "reference/families/family.hpp"
 #include "reference/oracle/oracle.hpp"
@@ -132,6 +133,36 @@ TEST(Verify, a_witness_is_on_no_isolated_vertex) {
   ASSERT_EQ(kinds(verdict), Kinds{ReasonKind::missing_component});
   EXPECT_NE(verdict.reasons[0].witness, (Point{3, 3}));
   EXPECT_TRUE(verdict.addends.has_value());
+}
+
+/// Neither where an edge is missing, nor where one is too much.
+TEST(Verify, witnesses_on_edges_are_on_no_isolated_vertex) {
+  const Region plug = polygon(box(0, 0, 2, 2)),
+               slot{{{box(0, 0, 5, 4), {backwards(box(1, 1, 4, 3))}}}};
+  const Point middle{Rational(7, 2), 3};
+  const auto expect = [&](const Region& p, const ClaimedSum& given, const Kinds& expected) {
+    const Verdict verdict = verify(p, plug, Boundary::open, given);
+    EXPECT_EQ(kinds(verdict), expected);
+    for (const Reason& reason : verdict.reasons) {
+      EXPECT_EQ(reason.in_sum, interiors_meet(p, translated(reflected(plug), reason.witness)));
+      EXPECT_NE(reason.in_sum || reason.witness == middle, reason.in_given);
+    }
+  };
+  expect(frame, {polygon(box(0, 0, 6, 6)), {{{2, 3}, {4, 3}}}, {}},
+         {ReasonKind::additional_dangling_edge, ReasonKind::additional_dangling_edge});
+  expect(slot, {polygon(box(0, 0, 7, 6)), {}, {middle}},
+         {ReasonKind::missing_dangling_edge, ReasonKind::missing_dangling_edge,
+          ReasonKind::additional_isolated_vertex});
+}
+
+/// Of those that are one difference: the chain runs forth and back in it, and overlaps another one.
+TEST(Verify, a_witness_is_in_the_largest_of_faces) {
+  const Chain spike = {{0, 0}, {8, 0}, {8, 6}, {6, 2}, {8, 6}, {8, 9}, {0, 9}};
+  const Region given{{{spike, {}}, {box(1, 8, 2, 10), {}}}};
+  const Verdict verdict = verify({}, unit, Boundary::closed, {given, {}, {}});
+  ASSERT_FALSE(verdict.is_sum());
+  EXPECT_EQ(verdict.reasons[0].size, 2 * 73);
+  EXPECT_EQ(verdict.reasons[0].witness, (Point{4, 4})) << "below the middle, (4, 9/2)";
 }
 
 /// At each attempt.
