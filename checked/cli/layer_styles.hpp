@@ -1,26 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <string>
-#include <utility>
-
 #include "reference/pictures/styles.hpp"
 
 /// How several of the views and pictures of `oplus` draw the same thing.
 namespace oplus::style {
-
-/// Lines with arrow heads.
-inline Style directed_lines(std::string name, std::string label, int place, std::string colour,
-                            double width, std::string dash = {}) {
-  return {.name = std::move(name),
-          .label = std::move(label),
-          .place = place,
-          .sample = Style::Sample::line,
-          .line = std::move(colour),
-          .width = width,
-          .directed = true,
-          .dash = std::move(dash)};
-}
 
 inline const Style boundary_loop =
     directed_lines("boundary-loop", "loop of the boundary", 15, "#0072b2", 2.2);

@@ -51,12 +51,7 @@ class Placement {
   }
 
   Layer overlaps() const {
-    Layer layer{{.name = "overlap",
-                 .label = "",
-                 .place = 20,
-                 .sample = Style::Sample::line,
-                 .line = "#c0267e",
-                 .width = 4}};
+    Layer layer{style::lines("overlap", "", 20, "#c0267e", 4)};
     for (Halfedge h = 0; h < 2 * arrangement_.edge_count(); h += 2)
       if (is_overlap(h)) layer.segments.push_back(arrangement_.geometry(h));
     layer.segments = maximal_segments(std::move(layer.segments));

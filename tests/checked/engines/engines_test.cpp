@@ -7,6 +7,7 @@
 #include "checked/arrangement/rca.hpp"
 #include "checked/cli/shared_options.hpp"
 #include "checked/operations/image.hpp"
+#include "checked/slide/slide.hpp"
 #include "properties/compare/corpus.hpp"
 #include "reference/definitions/convolution.hpp"
 #include "tests/reference/definitions/print.hpp"
@@ -57,6 +58,17 @@ TEST(Engines, find_the_origins_of_the_definition) {
         }
         dangling += result.sum.dangling_edges.size();
       }
+    }
+  }
+  // Wherever the chain of P starts, and so whichever segment is the first.
+  for (const CorpusPair& row : corpus()) {
+    if (row.open.dangling_edges.empty()) continue;
+    Region p = row.p;
+    for (std::size_t k = 0; k < p.components[0].outer.size(); ++k) {
+      std::ranges::rotate(p.components[0].outer, p.components[0].outer.begin() + 1);
+      const ComputedSum result = slide_sum(p, row.q, Boundary::open, {.with_origins = true});
+      EXPECT_TRUE(result.origins == origins(result.sum, reduced_convolution(p, row.q)))
+          << row.name << ", " << k;
     }
   }
   EXPECT_GT(several, 60u) << "no edge of several collinear pieces was seen";

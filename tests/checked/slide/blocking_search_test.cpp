@@ -46,6 +46,15 @@ TEST(BlockingSearch, sees_detail_beside_a_vertex_that_is_far_away) {
         << bits;
 }
 
+TEST(BlockingSearch, sees_detail_that_is_a_point_beside_the_other_summand) {
+  const Region star = generate(*find_family("star"), 100, 1).p;
+  const Rational far = slide::power_of_two(300);
+  for (const Region& large : {polygon(box(0, 0, far, far)), polygon(box(-far, -far, far, far))}) {
+    EXPECT_LT(boxes_per_segment(star, large), 60);
+    EXPECT_LT(boxes_per_segment(large, star), 60);
+  }
+}
+
 TEST(BlockingSearch, does_not_depend_on_the_order_of_holes) {
   constexpr int k = 20;
   std::vector<Chain> holes;

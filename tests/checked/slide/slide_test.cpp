@@ -66,6 +66,11 @@ TEST(Slide, slides_along_the_reduced_convolution) {
         << row.name;
 }
 
+TEST(Slide, does_nothing_for_an_empty_summand) {
+  for (const auto& [what, number] : slide_sum(triangle, Region(), Boundary::open).statistics)
+    EXPECT_EQ(std::get<std::size_t>(number), 0U) << what;
+}
+
 /// A square with n by n holes.
 template <typename HoleAt>
 Region perforated(int n, const HoleAt& hole_at) {
@@ -267,6 +272,14 @@ TEST(Slide, is_exact_where_exponents_of_doubles_are_mixed) {
   for (const Region* p : {&wedge, &needle, &frame, &dot}) {
     EXPECT_EQ(stage(*p, needle), "gmp");
     for (const Region* q : {&wedge, &needle, &frame, &dot}) expect_as_rca(*p, *q, "mixed");
+  }
+}
+
+TEST(Slide, is_exact_where_one_summand_is_a_point_beside_the_other) {
+  const Region star = generate(*find_family("star"), 40, 1).p;
+  for (const Rational& far : {power_of_two(300), Rational(power_of_two(1500) / 3)}) {
+    expect_as_rca(star, square_around_origin(far), "star and square");
+    expect_as_rca(triangle_to(far), star, "triangle and star");
   }
 }
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "reference/families/random.hpp"
+#include "tests/checked/slide/exact_values.hpp"
 
 namespace oplus::slide {
 namespace {
@@ -23,6 +23,36 @@ TEST(Strip, never_separates_what_has_a_point_in_common) {
       EXPECT_FALSE(is_beside(strip_along(e), f, at, at));
       EXPECT_FALSE(is_beside(strip_along(e), f, at, away));
       EXPECT_FALSE(is_beside(strip_along(e), box, away, at));
+    }
+  }
+}
+
+/// The numbers are rounded, and so are the places that are computed from them.
+TEST(NearSegment, is_no_farther_off_than_is_said) {
+  Random random(6);
+  for (int k = 0; k < 20000; ++k) {
+    const auto number = [&] {
+      const Rational odd = odd_number(random, static_cast<unsigned>(uniform(random, 1, 62)));
+      return one_in(random, 2) ? odd : Rational(-odd);
+    };
+    struct Exact {
+      Rational x, y, dx, dy;
+      NearSegment near() const { return {x.get_d(), y.get_d(), dx.get_d(), dy.get_d()}; }
+    };
+    const Exact e{number(), number(), number(), number()},
+        f{number(), number(), number(), number()};
+    const NearSegment near_e = e.near(), near_f = f.near();
+    const Rational place = e.dx * e.y - e.dy * e.x;
+    const Strip strip = strip_along(near_e);
+    EXPECT_TRUE(strip.low < place && place < strip.high);
+    for (const double t : {0.0, 0.5, 1.0}) {
+      const auto is_off = [&](double near, const Rational& exact) {
+        return Rational(abs(near - exact));
+      };
+      EXPECT_LT(is_off(near_e.x + near_f.x + t * near_e.dx, e.x + f.x + t * e.dx),
+                error_of_places(near_e, near_f));
+      EXPECT_LT(is_off(near_e.y + near_f.y + t * near_e.dy, e.y + f.y + t * e.dy),
+                error_of_places(near_e, near_f));
     }
   }
 }

@@ -116,6 +116,10 @@ TEST(Closeness, chains_that_cross_by_rounding_are_accepted_and_said) {
   EXPECT_FALSE(close.notes.empty());
   // The hole is open now.
   EXPECT_FALSE(close.no_partners.empty());
+  const Region square = polygon(box(0, 0, 5, 5)),
+               spike = polygon({{0, 0}, {7, 0}, {5, 0}, {5, 5}, {0, 5}});
+  EXPECT_EQ(closeness(canonical_sum(square), {spike, {}, {}}, 2).notes,
+            std::vector<std::string>{"chains cross, overlap or bound nothing in 1 place"});
 }
 
 TEST(Closeness, an_isolated_vertex_inside_the_given_sum_is_as_near_as_its_boundary) {

@@ -40,5 +40,16 @@ TEST(PointNear, is_not_found_where_edges_overlap) {
   EXPECT_THROW(point_near(tree, 0, true), VerdictsDiffer);
 }
 
+TEST(PointLeftOf, an_edge_is_on_nothing_that_is_avoided) {
+  const std::vector<Segment> square = edges(Chain(box(0, 0, 4, 4)));
+  std::vector<Segment> avoided;
+  for (int k = 0; k < 5; ++k) {
+    const Point x = point_left_of(square[0], square, avoided);
+    EXPECT_TRUE(0 < x.x && x.x < 4 && 0 < x.y && x.y < 4 && !lies_on_one(x, avoided)) << k;
+    avoided.push_back({{x.x, 0}, {x.x, 4}});
+    avoided.push_back({{0, x.y}, {4, x.y}});
+  }
+}
+
 }  // namespace
 }  // namespace oplus

@@ -367,12 +367,21 @@ static void memory(void) {
   char* text = malloc(size);
   memset(text, ' ', size);
   text[size - 1] = '\0';
-#ifndef _WIN32  // where no limit can be set
+#ifndef _WIN32  // where no limit can be set; qemu, by which tests for other processors run, keeps none
   const struct rlimit small = {300u << 20, RLIM_INFINITY};
   CHECK(setrlimit(RLIMIT_AS, &small) == 0);
-  oplus_set* set = NULL;
-  CHECK(oplus_read(text, &set) == OPLUS_NO_MEMORY);
-  CHECK(strcmp(oplus_message(), "out of memory") == 0 && set == NULL);
+  void* volatile more = malloc(size);
+  if (more == NULL) {
+    oplus_set* set = NULL;
+    CHECK(oplus_read(text, &set) == OPLUS_NO_MEMORY);
+    CHECK(strcmp(oplus_message(), "out of memory") == 0 && set == NULL);
+  } else {
+    puts("there is no limit of memory: what happens there was not tested");
+#ifdef __x86_64__
+    CHECK(more == NULL);
+#endif
+  }
+  free(more);
 #endif
   free(text);
   CHECK(is(read_set(square), square));
