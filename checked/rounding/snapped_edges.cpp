@@ -17,7 +17,6 @@ SnappedEdges::SnappedEdges(const Boundaries& set, const HotPixels& hot) {
     if (passed.size() == 1) points.push_back(passed.front());
   }
   std::ranges::sort(links, {}, &Link::between);
-  std::vector<bool> is_end(hot.centres().size());
   each_group(links, [&](std::span<const Link> group) {
     const auto [from, to] = group.front().between;
     const int more = turns(group);
@@ -25,9 +24,7 @@ SnappedEdges::SnappedEdges(const Boundaries& set, const HotPixels& hot) {
       thin.push_back({from, to});
     else
       left.push_back(more > 0 ? NumberedEdge{from, to} : NumberedEdge{to, from});
-    is_end[from] = is_end[to] = true;
   });
-  std::erase_if(points, [&](std::uint32_t p) { return is_end[p]; });
 }
 
 int turns(std::span<const Link> group) {

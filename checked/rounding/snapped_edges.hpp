@@ -27,7 +27,7 @@ struct SnappedEdges {
   std::vector<NumberedEdge>
       left;  ///< of the new boundary, the set to their left; they meet at ends only
   std::vector<NumberedEdge> thin;     ///< where there are links, and none is left
-  std::vector<std::uint32_t> points;  ///< of edges that became points, where no link ends
+  std::vector<std::uint32_t> points;  ///< of edges that became points
 };
 
 /// Calls visit(group) with those between the same centres. Requires: links are sorted.

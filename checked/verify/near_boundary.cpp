@@ -56,8 +56,8 @@ bool contains_when_grown(const Boundaries& set, const PlanarSet& features, const
   all.isolated_vertices = features.isolated_vertices;
   const PlanarSet grown = set_sum(all, canonical_sum(square), Boundary::closed, sum_by_definition);
   const Overlay overlay(given(set_of(other)), grown);
-  return std::ranges::none_of(overlay.differences(), &Reason::in_given,
-                              &Overlay::Difference::reason);
+  return std::ranges::none_of(overlay.differences(),
+                              [](const Overlay::Difference& d) { return d.reason.in_given; });
 }
 
 }  // namespace

@@ -180,6 +180,9 @@ TEST(Rounded, an_unbounded_set_says_which_components_joined) {
                           true};
   EXPECT_EQ(rounded(ring, Boundary::closed, 1, Side::nearest).changes,
             (TopologyChanges{.joined_components = 2}));
+  PlanarSet thick = ring;
+  for (Point& p : thick.outer[0]) p.x = std::min(p.x, Rational(8));
+  EXPECT_EQ(rounded(thick, Boundary::closed, 1, Side::nearest).changes, TopologyChanges{});
 }
 
 /// Valid by our reader and by Boost.Geometry, and within the bound; statement law-rounding has the other promises.
