@@ -41,9 +41,10 @@ extern "C" void release(void* memory, std::size_t size) { NumberMemory::release(
 
 /// The beginning of a file of the system, without a stream, which takes as long to start as a small sum; else empty.
 std::string beginning_of(const char* path) {
-  std::string text(4096, '\0');
+  constexpr unsigned most = 4096;
+  std::string text(most, '\0');
   const int file = ::open(path, O_RDONLY | O_CLOEXEC);
-  const auto length = file < 0 ? 0 : ::read(file, text.data(), text.size());
+  const auto length = file < 0 ? 0 : ::read(file, text.data(), most);
   if (file >= 0) ::close(file);
   text.resize(static_cast<std::size_t>(std::max<decltype(length)>(length, 0)));
   return text;

@@ -36,7 +36,7 @@ struct Left {
   Pool pool;
   Left* next;
 };
-constinit std::mutex mutex;
+std::mutex mutex;
 constinit Left* left = nullptr;
 
 /// Takes the pool of a thread that ended, and leaves this one's.

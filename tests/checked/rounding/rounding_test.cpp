@@ -181,7 +181,7 @@ TEST(Rounded, an_unbounded_set_says_which_components_joined) {
   EXPECT_EQ(rounded(ring, Boundary::closed, 1, Side::nearest).changes,
             (TopologyChanges{.joined_components = 2}));
   PlanarSet thick = ring;
-  for (Point& p : thick.outer[0]) p.x = std::min(p.x, Rational(8));
+  for (Point& p : thick.outer[0]) p.x = std::min(p.x, Rational(89, 10));
   EXPECT_EQ(rounded(thick, Boundary::closed, 1, Side::nearest).changes, TopologyChanges{});
 }
 
