@@ -96,12 +96,14 @@ def made_section(made):
             "certificates, rounding, layouts, operations and nesting that random numbers chose:\noperators exchanged, "
             "conditions negated, numbers one more, statements left out. "
             "[try_made.py](../properties/mutants/try_made.py) runs all tests\nthat come to the place of a fault, the cheap "
-            "ones first, until one fails. Of these faults the record is [made.tsv](theorems/made.tsv).\n\n"
+            "ones first, until one fails. The record: [made.tsv](theorems/made.tsv). Places that none\n"
+            "of these tests comes to are left out; for the core they are in [coverage](coverage.md).\n\n"
             "| killed by | faults |\n|---|--:|\n")
     text += "".join(f"| {stage} | {ends[stage]} |\n" for stage in KILLED_BY)
-    text += f"| *all* | {len(made)} |\n\n| not killed then | the change | what became of it |\n|---|---|---|\n"
-    return text + "".join(f"| [`{fault['file']}`](../{fault['file']}):{fault['line']} | `{change_of(fault)}` | "
-                          f"{fault['end']}: {fault['by']} |\n" for fault in left)
+    line = next(name for name in made[0] if name.startswith("line"))
+    text += f"| *all* | {len(made)} |\n\n| not killed then, {line} | the change | what became of it |\n|---|---|---|\n"
+    return text + "".join(f"| `{fault['file']}`:{fault[line]} | `{change_of(fault)}` | {fault['end']}: {fault['by']} |\n"
+                          for fault in left)
 
 
 def change_of(fault):

@@ -37,7 +37,7 @@ Rests on: fact-a, fact-b
 """
 PAIR = {"p": "POLYGON ((0 0, 1 0, 0 1, 0 0))", "q": "POLYGON ((0 0, 2 0, 0 3, 0 0))"}
 PAGE = "theorems/lemma-9.9.9.md"
-MADE = ("file\tline\tchange\tend\tby\nchecked/a.cpp\t7\ta < b -> a <= b\tcorpus\ta test\n"
+MADE = ("file\tline at abc\tchange\tend\tby\nchecked/a.cpp\t7\ta < b -> a <= b\tcorpus\ta test\n"
         "checked/a.cpp\t9\ta || b -> a && b\tthe same result\tb is a\n")
 # What docs/testing.md counts in, beside the records.
 COUNTED = {
@@ -165,8 +165,8 @@ class Pages(unittest.TestCase):
         change(lambda: self.write("docs/theorems/made.tsv", MADE.replace("a < b", "b < a")))  # of a killed one only numbers are shown
         change(lambda: self.write("docs/theorems/made.tsv", MADE.replace("b is a", "b is not a")), "mutants.md")
         self.write("docs/theorems/made.tsv", MADE)
-        self.assertIn("| corpus | 1 |\n| statements | 0 |\n| comparison | 0 |\n| *all* | 2 |", (self.docs / "mutants.md").read_text(encoding="utf-8"))
-        self.assertIn("](../checked/a.cpp):9 | `a \\|\\| b -> a && b` | the same result: b is a |\n",
+        self.assertIn("| corpus | 1 |\n| statements | 0 |\n| comparison | 0 |\n| *all* | 2 |\n\n| not killed then, line at abc |", (self.docs / "mutants.md").read_text(encoding="utf-8"))
+        self.assertIn("| `checked/a.cpp`:9 | `a \\|\\| b -> a && b` | the same result: b is a |\n",
                       (self.docs / "mutants.md").read_text(encoding="utf-8"))
         change(lambda: self.query["counterexamples"]["one"].update(x="-1"), PAGE)
         self.write("properties/proofs/as_printed/lemma.v", "Theorem edges_exist (a : nat) :\n  a = a.\nProof. easy. Qed.\n")
