@@ -102,7 +102,7 @@ def made_section(made):
     text += "".join(f"| {stage} | {ends[stage]} |\n" for stage in KILLED_BY)
     line = next(name for name in made[0] if name.startswith("line"))
     text += f"| *all* | {len(made)} |\n\n| not killed then, {line} | the change | what became of it |\n|---|---|---|\n"
-    return text + "".join(f"| `{fault['file']}`:{fault[line]} | `{change_of(fault)}` | {fault['end']}: {fault['by']} |\n"
+    return text + "".join(f"| `{fault['file']}:{fault[line]}` | `{change_of(fault)}` | {fault['end']}: {fault['by']} |\n"
                           for fault in left)
 
 

@@ -166,7 +166,7 @@ class Pages(unittest.TestCase):
         change(lambda: self.write("docs/theorems/made.tsv", MADE.replace("b is a", "b is not a")), "mutants.md")
         self.write("docs/theorems/made.tsv", MADE)
         self.assertIn("| corpus | 1 |\n| statements | 0 |\n| comparison | 0 |\n| *all* | 2 |\n\n| not killed then, line at abc |", (self.docs / "mutants.md").read_text(encoding="utf-8"))
-        self.assertIn("| `checked/a.cpp`:9 | `a \\|\\| b -> a && b` | the same result: b is a |\n",
+        self.assertIn("| `checked/a.cpp:9` | `a \\|\\| b -> a && b` | the same result: b is a |\n",
                       (self.docs / "mutants.md").read_text(encoding="utf-8"))
         change(lambda: self.query["counterexamples"]["one"].update(x="-1"), PAGE)
         self.write("properties/proofs/as_printed/lemma.v", "Theorem edges_exist (a : nat) :\n  a = a.\nProof. easy. Qed.\n")
