@@ -46,6 +46,7 @@ KINDS = {
     "npm": "the npm module, in Node and in a browser",
     "packages": "the packages of Debian, a wheel, the recipes of package managers",
     "page": "the page to draw on, in a browser",
+    "platforms": "the core or the program by other compilers, libraries and systems",
     "proofs": "Coq and SMT: proofs, their assumptions, faults in definitions, proved programs beside ours",
     "properties": "unit tests of what makes, runs, shrinks and reports comparisons",
     "python": "the Python package, with Hypothesis; notebooks",
