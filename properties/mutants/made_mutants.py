@@ -69,7 +69,8 @@ def places(file, code):
                 left, right = text(span(cursor)[0], begin), text(end, span(cursor)[1])
                 yield exchanged(cursor, "operator", f"{left} {EXCHANGED[operator]} {right}")
         elif cursor.kind == Kind.INTEGER_LITERAL:
-            yield exchanged(cursor, "number", text(*span(cursor)) + " + 1")
+            kind, begin, end, put, what = exchanged(cursor, "number", text(*span(cursor)) + " + 1")
+            yield kind, begin, end, put, what + ", in " + code.decode().split("\n")[cursor.location.line - 1].strip()
         elif cursor.kind in (Kind.IF_STMT, Kind.WHILE_STMT, Kind.CONDITIONAL_OPERATOR, Kind.RETURN_STMT) and children:
             condition = children[0]
             result = cursor.kind == Kind.RETURN_STMT
@@ -109,6 +110,10 @@ def in_random_order(found, randomly):
                 del kinds[kind]
 
 
+def git(*arguments):
+    return subprocess.run(["git", "-C", ROOT, *arguments], check=True, capture_output=True, text=True).stdout
+
+
 def write(path, data):
     path.parent.mkdir(parents=True, exist_ok=True)
     if not path.exists() or path.read_bytes() != data:  # so that only what changed is compiled again
@@ -129,14 +134,17 @@ def main(copy, paths, number, without):
             else:
                 del queues[file]
     chosen = chosen[:number]
-    rows = []
+    commit = git("rev-parse", "--short=8", "HEAD").strip()
+    rows = [f"number\tfile\tline at {commit}\tchange\n"]
     changed = {}
-    for n, (file, (kind, begin, end, put, what)) in enumerate(chosen):
+    for n, (file, (_, begin, end, put, what)) in enumerate(chosen):
         line = file.read_bytes()[:begin].count(b"\n") + 1
         if n not in without:
-            rows.append(f"{n}\t{file.relative_to(ROOT)}\t{line}\t{kind}\t{' '.join(what.split())}\n")
+            what = " ".join(what.split())
+            what = what if len(what) <= 110 else what[:107] + "..."
+            rows.append(f"{n}\t{file.relative_to(ROOT)}\t{line}\t{what}\n")
             changed.setdefault(file, []).append((begin, end, put.replace("@", str(n))))
-    for name in subprocess.run(["git", "-C", ROOT, "ls-files"], check=True, capture_output=True, text=True).stdout.split("\n")[:-1]:
+    for name in git("ls-files").split("\n")[:-1]:
         data = (ROOT / name).read_bytes()
         for begin, end, put in sorted(changed.get(ROOT / name, ()), reverse=True):
             data = data[:begin] + put.encode() + data[end:]

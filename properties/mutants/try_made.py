@@ -1,8 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """try_made.py COPY: tries the faults of made_mutants.py, built in COPY/build/check: for each, the tests that come to its
-place, the cheapest first, until one fails. Writes COPY/killed.tsv, a line per fault: its number, and what killed it and
-how, or "survived". A fault that is there already is not tried again."""
+place, the cheapest first, until one fails. Writes COPY/tried.tsv: the lines of COPY/made.tsv, each with the kind of the tests
+that ended it, and by which one and how; or "survived", or "not reached". A fault that is there already is not tried again.
+
+docs/theorems/made.tsv is such a file in which, by hand, each "survived" was replaced by what became of the fault, and why."""
 
 import concurrent.futures
 import json
@@ -67,18 +69,31 @@ def reached(test):
 
 
 def outcome(number, measured):
-    """What kills it, how; "" if nothing does; None if no test comes to its place."""
+    """The kind of what kills it, and what does, and how; () if nothing does; None if no test comes to its place."""
     came = sorted((test for test in measured if number in test[4]), key=lambda test: test[1])
     for stage, seconds, name, command, _ in came:
         if how := run(command, {"OPLUS_MADE": str(number)}, 10 + int(20 * seconds))[0]:
-            return f"{STAGES[stage]}\t{name}\t{how}"
-    return "" if came else None
+            return STAGES[stage], name if how == "fails" else f"{name} {how}"
+    return () if came else None
+
+
+def fields(path):
+    return [line.split("\t") for line in path.read_text(encoding="utf-8").splitlines()]
 
 
 def main(pool):
-    record = COPY / "killed.tsv"
-    done = {line.split("\t")[0] for line in record.open()} if record.exists() else set()
-    came = {n: False for line in (COPY / "made.tsv").open() if (n := line.split("\t")[0]) not in done}
+    names, *faults = fields(COPY / "made.tsv")
+    made = {fault[0]: fault for fault in faults}
+    record = COPY / "tried.tsv"
+    if not record.exists():
+        record.write_text("\t".join([*names, "end", "by"]) + "\n", encoding="utf-8")
+    done = {fault[0] for fault in fields(record)}
+    came = {n: False for n in made if n not in done}
+
+    def write(n, end, by=""):
+        with record.open("a", encoding="utf-8") as out:
+            out.write("\t".join([*made[n], end, by]) + "\n")
+
     for stage in range(len(STAGES)):
         cached = COPY / f"reached-{stage}.json"
         if not cached.exists():
@@ -93,12 +108,10 @@ def main(pool):
                 came[n] |= how is not None
                 if how:
                     del came[n]
-                    with record.open("a") as out:
-                        out.write(f"{n}\t{how}\n")
+                    write(n, *how)
         print(f"{len(came)} left after the {STAGES[stage]}", flush=True)
-    with record.open("a") as out:
-        for n, ever in came.items():
-            out.write(f"{n}\t{'survived' if ever else 'not reached'}\n")
+    for n, ever in came.items():
+        write(n, "survived" if ever else "not reached")
 
 
 if __name__ == "__main__":

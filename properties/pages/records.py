@@ -78,9 +78,9 @@ def read(path):
     return json.loads(path.read_text(encoding="utf-8"))
 
 
-def rows(path, delimiter=","):
+def rows(path, **form):
     with path.open(encoding="utf-8", newline="") as file:
-        return list(csv.DictReader(file, delimiter=delimiter))
+        return list(csv.DictReader(file, **form))
 
 
 class Backing:
@@ -124,7 +124,7 @@ class Records:
             self.backing = Backing(root)
             self.runs = self.backing.runs
             self.kills = read(docs / "theorems/kills.json")["kills"]
-            self.made = rows(docs / "theorems/made.tsv", "\t")
+            self.made = rows(docs / "theorems/made.tsv", delimiter="\t", quoting=csv.QUOTE_NONE)
             self.theorems = with_formal_statements(self.backing.theorems, proofs)
             self.queries = with_expected_answers(self.backing.queries)
             self.texts = texts(root)

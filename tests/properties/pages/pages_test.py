@@ -37,8 +37,8 @@ Rests on: fact-a, fact-b
 """
 PAIR = {"p": "POLYGON ((0 0, 1 0, 0 1, 0 0))", "q": "POLYGON ((0 0, 2 0, 0 3, 0 0))"}
 PAGE = "theorems/lemma-9.9.9.md"
-MADE = ("file\tline at abc\tchange\tend\tby\nchecked/a.cpp\t7\ta < b -> a <= b\tcorpus\ta test\n"
-        "checked/a.cpp\t9\ta || b -> a && b\tthe same result\tb is a\n")
+MADE = ("number\tfile\tline at abc\tchange\tend\tby\n1\tchecked/a.cpp\t7\ta < b -> a <= b\tcorpus\ta test\n"
+        "2\tchecked/a.cpp\t8\t\"a\" -> left out\tnot reached\t\n3\tchecked/a.cpp\t9\ta || b -> a && b\tthe same result\tb is a\n")
 # What docs/testing.md counts in, beside the records.
 COUNTED = {
     "tests/corpus/pairs.txt": "story: A.\n", "tests/corpus/named_placements.json": '"contact": ""',
@@ -162,12 +162,6 @@ class Pages(unittest.TestCase):
         change(lambda: self.first().update(hypotheses=[]), PAGE)
         change(lambda: self.run["counts"].update(edges=98), PAGE)
         change(lambda: self.kill.update(cases=6), "mutants.md", PAGE)
-        change(lambda: self.write("docs/theorems/made.tsv", MADE.replace("a < b", "b < a")))  # of a killed one only numbers are shown
-        change(lambda: self.write("docs/theorems/made.tsv", MADE.replace("b is a", "b is not a")), "mutants.md")
-        self.write("docs/theorems/made.tsv", MADE)
-        self.assertIn("| corpus | 1 |\n| statements | 0 |\n| comparison | 0 |\n| *all* | 2 |\n\n| not killed then, line at abc |", (self.docs / "mutants.md").read_text(encoding="utf-8"))
-        self.assertIn("| `checked/a.cpp:9` | `a \\|\\| b -> a && b` | the same result: b is a |\n",
-                      (self.docs / "mutants.md").read_text(encoding="utf-8"))
         change(lambda: self.query["counterexamples"]["one"].update(x="-1"), PAGE)
         self.write("properties/proofs/as_printed/lemma.v", "Theorem edges_exist (a : nat) :\n  a = a.\nProof. easy. Qed.\n")
         self.draw("#7cc26a")
@@ -179,6 +173,18 @@ class Pages(unittest.TestCase):
         change(lambda: None, PAGE)  # over both numbers
         (self.docs / "rca.md").write_text("")
         change(lambda: None, PAGE)
+
+    def test_show_faults_that_a_script_made(self):
+        page = (self.docs / "mutants.md").read_text(encoding="utf-8")
+        self.assertIn("No test comes to the places of 1 faults,", page)
+        self.assertIn("| corpus | 1 |\n| statements | 0 |\n| comparison | 0 |\n| *all* | 2 |\n\n| not killed then, line at abc |", page)
+        self.assertIn("| `checked/a.cpp:9` | `a \\|\\| b -> a && b` | the same result: b is a |\n", page)
+        self.write("docs/theorems/made.tsv", MADE.replace("a < b", "b < a"))
+        self.expect()  # of one that was killed, only the number is shown
+        self.write("docs/theorems/made.tsv", MADE.replace("b is a", "b is not a"))
+        self.expect("mutants.md: out of date")
+        self.write("docs/theorems/made.tsv", MADE.replace("the same result", "survived"))
+        self.assertEqual(self.result(), (["docs/theorems/made.tsv: a fault survived, and nothing says what became of it"], 2))
 
     def test_show_what_they_rest_on(self):
         for part in ["## The statement of the thesis\nThere may be edges, says [docs/findings.md](../findings.md).\n",
