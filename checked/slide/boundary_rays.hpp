@@ -150,6 +150,7 @@ using RaysOfBoth = std::array<BoundaryRays<Numbers>, 2>;
 
 template <typename Numbers>
 RaysOfBoth<Numbers> rays_of(const IntegerSummands<Numbers>& summands) {
+  summands.prepare_boxes();
   return {BoundaryRays<Numbers>(summands.p, summands.tree_of_p),
           BoundaryRays<Numbers>(summands.q, summands.tree_of_q)};
 }

@@ -44,7 +44,6 @@ class NearEdges {
 template <typename Numbers>
 std::vector<Segment> nearest_in(const Region& p, const Region& q, const Scaling& scaling) {
   ReducedSegments<Numbers> segments(p, q, scaling);
-  segments.prepare_boxes();
   const RaysOfBoth<Numbers> rays = rays_of(segments.summands());
   const bool all_ways = !right_is_enough(rays);
   const NearEdges of_p(p), of_q(q);

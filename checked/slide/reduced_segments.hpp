@@ -29,7 +29,6 @@ class ReducedSegments {
   }
 
   const IntegerSummands<Numbers>& summands() const { return summands_; }
-  void prepare_boxes() const { summands_.prepare_boxes(); }
   /// Of summands that are kept for this sum only. Nothing is searched any more.
   void drop_boxes() { summands_.drop_boxes(); }
   std::size_t size() const { return segments_.size(); }

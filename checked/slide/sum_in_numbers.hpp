@@ -31,10 +31,7 @@ ComputedSum sum_of(ReducedSegments<Numbers>& segments, const Scaling& scaling, B
                    const EngineOptions& options) {
   if (!options.with_origins) segments.leave_out_copies();
   std::optional<RaysOfBoth<Numbers>> rays;
-  if (boundary == Boundary::open) {
-    segments.prepare_boxes();
-    rays.emplace(rays_of(segments.summands()));
-  }
+  if (boundary == Boundary::open) rays.emplace(rays_of(segments.summands()));
   auto [pieces, open, effort] = all_free_pieces(segments, options, rays);
 
   if (boundary == Boundary::closed) segments.drop_boxes();

@@ -71,7 +71,6 @@ SlidPair::SlidPair(const Summands& pair)
       segments(pair.p, pair.q, scaling),
       minus_q_(reflected(pair.q)) {
   OPLUS_REQUIRES(scaling.bits <= Numbers::bits, "coordinates of 29 bits");
-  segments.prepare_boxes();
 }
 
 Point SlidPair::point(std::uint32_t segment, const Place& t) const {
