@@ -276,7 +276,7 @@ TEST(Slide, is_exact_where_exponents_of_doubles_are_mixed) {
 }
 
 TEST(Slide, is_exact_where_one_summand_is_a_point_beside_the_other) {
-  const Region star = generate(*find_family("star"), 100, 1).p;
+  const Region star = generate(*find_family("star"), 300, 1).p;
   for (const Rational& far : {power_of_two(300), Rational(power_of_two(1500) / 3)}) {
     expect_as_rca(star, square_around_origin(far), "star and square");
     expect_as_rca(triangle_to(far), star, "triangle and star");
