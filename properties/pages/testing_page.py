@@ -98,6 +98,17 @@ def failures(scoreboard):
     return len(kinds), sum(map(len, kinds.values()))
 
 
+def campaigns(root):
+    """The reports that are kept in docs/campaigns: how many pairs were compared, and by how many operations."""
+    reports = [read(path) for path in sorted((root / "docs/campaigns").glob("*.json"))]
+    if any(report["interrupted"] or report["all"]["disagreed"] for report in reports):
+        raise InvalidRecord("docs/campaigns: a report is of a disagreement, or was interrupted")
+    ran = {"campaign_sums": 0, "campaign_values": 0}
+    for report in reports:
+        ran["campaign_sums" if report["campaign"]["operation"] == "sum" else "campaign_values"] += report["all"]["ran"]
+    return ran | {"campaign_operations": len({report["campaign"]["operation"] for report in reports} - {"sum"})}
+
+
 def figures(root, statements, mutants, records):
     found = {name: matches(root, name, *where) for name, where in MATCHES.items()}
     found |= {name: count(root, pattern)[0] for name, pattern in FILES.items()}
@@ -109,7 +120,7 @@ def figures(root, statements, mutants, records):
     others, kinds = failures(scoreboard)
     if any(part["slide"]["failures"] for part in scoreboard.values()):
         raise InvalidRecord("docs/testing.md: says that no sum of oplus is wrong, the scoreboard's record says otherwise")
-    found |= {
+    found |= campaigns(root) | {
         "statements": len(statements), "enumerated": sum(run.get("enumerated", 0) for run in runs),
         "random_pairs": sum(run["run"] for run in runs), "mutants": len(mutants), "kills": len(records.kills),
         "made_by_a_script": sum(fault["end"] != "not reached" for fault in records.made),

@@ -50,12 +50,15 @@ COUNTED = {
                      "today,2345,60,60,60,120,5,2,1\n",
     "docs/tests.csv": "kind,default tests,core-seconds,other tests\nchecked,5,119,2\n",
     "docs/theorems/made.tsv": MADE,
+    **{f"docs/campaigns/{name}.json": json.dumps({"campaign": {"operation": name}, "interrupted": False,
+                                                  "all": {"ran": ran, "disagreed": 0}}) for name, ran in (("sum", 30), ("erode", 4))},
     "docs/scoreboard/runs.json": json.dumps({"sums": {"slide": {"sums": {"passed": 7}, "failures": {}},
                                                       "clipper": {"failures": {"rounded": {}, "crashed": {}}}},
                                              "parts": {"slide": {"sums": {"passed": 8}, "failures": {}},
                                                        "clipper": {"failures": {"rounded": {}}}}}),
     "properties/pages/testing.md": "{cpp_cases} cases, {coq_lines} lines, {contracts} contracts, {other_libraries} library, "
-                                   "{their_failures} kinds, {our_sums} sums, {false_in_ours} of ours, {ours_by_fuzzing} by fuzzing\n{tests_by_kind}",
+                                   "{their_failures} kinds, {our_sums} sums, {false_in_ours} of ours, {ours_by_fuzzing} by fuzzing, "
+                                   "{campaign_sums} pairs, {campaign_values} of {campaign_operations} operation\n{tests_by_kind}",
 }
 
 
@@ -211,7 +214,7 @@ class Pages(unittest.TestCase):
     def test_testing_counts(self):
         path = self.docs / "testing.md"
         self.assertEqual(path.read_text(encoding="utf-8"),
-                         "2 cases, 2,345 lines, 2 contracts, 1 library, 2 kinds, 15 sums, 2 of ours, 1 by fuzzing\n"
+                         "2 cases, 2,345 lines, 2 contracts, 1 library, 2 kinds, 15 sums, 2 of ours, 1 by fuzzing, 30 pairs, 4 of 1 operation\n"
                          "| `checked` | unit tests of the algorithms and of the command line | 5 | 119 | 2 |\n")
         self.write("checked/a.cpp", "OPLUS_ENSURES(a)\n OPLUS_REQUIRES(b)")
         self.expect("testing.md: out of date")
@@ -228,6 +231,9 @@ class Pages(unittest.TestCase):
                 "docs/testing.md: a record is not as expected: KeyError('guesses')")
         refused("docs/scoreboard/runs.json", COUNTED["docs/scoreboard/runs.json"].replace("{}}, ", '{"a": {}}}, ', 1),
                 "docs/testing.md: says that no sum of oplus is wrong, the scoreboard's record says otherwise")
+        erode = COUNTED["docs/campaigns/erode.json"]
+        for wrong in (erode.replace('disagreed": 0', 'disagreed": 1'), erode.replace("false", "true")):
+            refused("docs/campaigns/erode.json", wrong, "docs/campaigns: a report is of a disagreement, or was interrupted")
         (self.docs / "findings/a.cpp").unlink()
         self.assertEqual(self.result(), (["docs/testing.md: there is no file docs/findings/*.cpp"], 2))
 
