@@ -45,8 +45,9 @@ FuzzReport report_of(const std::string& target, std::string_view log, bool ended
   report.edges = number_after_last(log, " cov:");
   report.reached = number_after_last(log, "oplus: reached ");
   report.rejected = number_after_last(log, ", rejected ");
-  if (const auto input = after_last(log, "Test unit written to ")) report.input = *input;
   if (ended_well) return report;
+  // libFuzzer also writes slow ones, which are no finding.
+  if (const auto input = after_last(log, "Test unit written to ")) report.input = *input;
   report.finding = finding_in(log);
   if (report.finding.empty()) report.finding = "the program did not run to its end";
   return report;
