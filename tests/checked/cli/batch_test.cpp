@@ -157,7 +157,8 @@ TEST_F(Batch, is_interrupted_without_leaving_anything) {
         std::pair("QUIT", SIGQUIT), std::pair("XCPU", SIGXCPU)})
     // Its exit code is that of a program that does nothing about the signal.
     expect_output(
-        "ulimit -c 0; set -m; rm -f pipe; mkfifo pipe; oplus batch pipe -o out 2>err & exec 3>pipe\n"
+        "ulimit -c 0; rm -f pipe; mkfifo pipe\n"
+        "env --default-signal oplus batch pipe -o out 2>err & exec 3>pipe\n"
         "cat square.tsv >&3\n"
         "for i in {1..600}; do compgen -G 'out.*' >/dev/null && break; sleep 0.05; done\n"
         "kill -" +

@@ -87,11 +87,8 @@ TEST_F(DiffCommand, interrupted_writes_what_was_compared_and_does_not_wait_for_t
   for (const std::string signal : {"INT", "TERM"}) {
     const Ran ran = run(
         "rm -f calls waits\n"
-        "trap - INT\n"
-        "python3 -c 'import os, signal, sys; signal.signal(signal.SIGINT, signal.SIG_DFL); "
-        "os.execvp(sys.argv[1], sys.argv[1:])' "
-        "oplus-check diff --family grid --cases 20 --threads 1 --engine 'exec:sh ./slow' --time-limit "
-        "100000 --memory-limit 0 --report r.md --report r.json --report r.xml & run=$!\n"
+        "env --default-signal oplus-check diff --family grid --cases 20 --threads 1 "
+        "--engine 'exec:sh ./slow' --time-limit 100000 --memory-limit 0 --report r.md --report r.json --report r.xml & run=$!\n"
         "until [ -e waits ]; do kill -0 $run || exit 99; sleep 0.05; done\n"
         "kill -" +
             signal + " $run\nwait $run",
