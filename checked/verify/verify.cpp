@@ -343,7 +343,7 @@ std::vector<Reason> unsimple_reasons(const Overlay& overlay) {
       detail =
           chain + ", where the given set is on " + (u.in_given ? "both sides" : "neither side");
     else if (u.times > 1)
-      detail = std::to_string(u.times) + " chains run " + from_to(u.piece);
+      detail = "chains run " + std::to_string(u.times) + " times " + from_to(u.piece);
     else
       detail = chain + " the wrong way: it crosses itself or another";
     reasons.push_back({ReasonKind::unsimple_boundary, middle,

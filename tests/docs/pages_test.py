@@ -26,7 +26,6 @@ COMPARING = re.compile(r"(?<=\n    )(?:build/release/bin/)?(oplus-(?:check|peer|
 NOT_RUN = {
     "for f in data/records/*.svg; do oplus layout $f; done": "the data is not here",
     "oplus-check merge shard-*.json -o merged.json": "campaigns.shards does",
-    "oplus-check diff --judge winding-numbers --engine slide --cases 45455 --seed 2": "an older version's",
     "oplus-check conformance --engine 'exec:./own_program {p} {q}' --report own.xml": "conformance.own-program does",
     "oplus-check conformance --engine 'exec:oplus-peer-newest clipper2 {p} {q}'": "newest.peer does",
     "oplus-check smt": "proofs.smt does",
