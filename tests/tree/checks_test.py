@@ -117,6 +117,13 @@ class PageAlgorithms(TreeTest):
         self.assertEqual(list(page_algorithms.violations(self.root)),
                          [f"checked/slide/a.cpp:1: {page_algorithms.HEADER} has no find of 3 arguments"])
 
+    def test_arguments_with_a_default(self):
+        self.write(page_algorithms.HEADER, "void sort(Range&& range, Less less = {}, Projection projection = {}) {")
+        self.write("checked/slide/a.cpp", "std::ranges::sort(a); std::ranges::sort(a, b); std::ranges::sort(a, {}, c);",
+                   "std::ranges::sort(a, b, c, d);")
+        self.assertEqual(list(page_algorithms.violations(self.root)),
+                         [f"checked/slide/a.cpp:2: {page_algorithms.HEADER} has no sort of 4 arguments"])
+
 
 class Compiled(TreeTest):
     def test_a_source_that_no_target_has(self):
