@@ -101,8 +101,8 @@ def failures(scoreboard):
 def campaigns(root):
     """The reports that are kept in docs/campaigns: how many pairs were compared, and by how many operations."""
     reports = [read(path) for path in sorted((root / "docs/campaigns").glob("*.json"))]
-    if any(report["interrupted"] or report["all"]["disagreed"] for report in reports):
-        raise InvalidRecord("docs/campaigns: a report is of a disagreement, or was interrupted")
+    if not reports or any(report["interrupted"] or report["all"]["disagreed"] for report in reports):
+        raise InvalidRecord("docs/campaigns: there is no report, or one has a disagreement or was interrupted")
     ran = {"campaign_sums": 0, "campaign_values": 0}
     for report in reports:
         ran["campaign_sums" if report["campaign"]["operation"] == "sum" else "campaign_values"] += report["all"]["ran"]

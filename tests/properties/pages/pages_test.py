@@ -232,8 +232,15 @@ class Pages(unittest.TestCase):
         refused("docs/scoreboard/runs.json", COUNTED["docs/scoreboard/runs.json"].replace("{}}, ", '{"a": {}}}, ', 1),
                 "docs/testing.md: says that no sum of oplus is wrong, the scoreboard's record says otherwise")
         erode = COUNTED["docs/campaigns/erode.json"]
+        no_campaign = "docs/campaigns: there is no report, or one has a disagreement or was interrupted"
         for wrong in (erode.replace('disagreed": 0', 'disagreed": 1'), erode.replace("false", "true")):
-            refused("docs/campaigns/erode.json", wrong, "docs/campaigns: a report is of a disagreement, or was interrupted")
+            refused("docs/campaigns/erode.json", wrong, no_campaign)
+        for name in ("erode", "sum"):
+            self.assertEqual(self.result()[1], 0)
+            (self.docs / f"campaigns/{name}.json").unlink()
+            self.result(check=False)
+        self.assertEqual(self.result(), ([no_campaign], 2))
+        self.write("docs/campaigns/erode.json", erode)
         (self.docs / "findings/a.cpp").unlink()
         self.assertEqual(self.result(), (["docs/testing.md: there is no file docs/findings/*.cpp"], 2))
 
