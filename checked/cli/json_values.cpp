@@ -21,7 +21,8 @@ std::string key_of(std::string_view name) {
 }
 
 Json value_of(std::size_t count) { return count; }
-Json value_of(Seconds seconds) { return std::round(seconds.count() * 1e6) / 1e6; }
+double rounded(Seconds seconds) { return std::round(seconds.count() * 1e6) / 1e6; }
+Json value_of(Seconds seconds) { return rounded(seconds); }
 Json value_of(const Rational& value) { return to_string(value); }
 
 }  // namespace
@@ -42,7 +43,7 @@ namespace {
 
 std::string text(std::size_t count) { return std::to_string(count); }
 
-std::string text(Seconds seconds) { return std::to_string(seconds.count()); }
+std::string text(Seconds seconds) { return std::to_string(rounded(seconds)); }
 
 std::string text(const Rational& value) {
   const std::string exact = to_string(value);

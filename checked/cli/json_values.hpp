@@ -25,7 +25,7 @@ Json json(const Statistics& statistics);
 /// How many parts of each kind the sum has, and its area.
 Statistics statistics_of(const PlanarSet& sum);
 
-/// A count; seconds, to six decimals; a value exactly, or rounded and marked so where it is long.
+/// A count; seconds, rounded as in JSON; a value exactly, or rounded and marked so where it is long.
 std::string in_text(const Quantity& quantity);
 
 }  // namespace oplus

@@ -4,12 +4,11 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "checked/cli/json_values.hpp"
 #include "tests/checked/cli/shell.hpp"
 
 namespace oplus {
 namespace {
-
-using Json = nlohmann::json;
 
 /// docs/json.md: the fields, and that they agree with the text output.
 class JsonAnswers : public ShellWithRegions {
@@ -81,6 +80,12 @@ TEST_F(JsonAnswers, statistics_of_sum_are_those_of_the_text) {
     }
     EXPECT_TRUE(said.empty()) << said.begin()->first;
   }
+}
+
+TEST(JsonValues, seconds_between_two_texts) {
+  // The double is below 0.0068705, its product with 1e6 is not.
+  const Quantity seconds = Seconds(0.0068705);
+  EXPECT_EQ(std::stod(in_text(seconds)), json(seconds));
 }
 
 TEST_F(JsonAnswers, numbers_are_exact) {
