@@ -2,7 +2,6 @@
 #include "checked/verify/verify.hpp"
 
 #include <optional>
-#include <set>
 #include <utility>
 
 #include "checked/cli/command_line/outputs.hpp"

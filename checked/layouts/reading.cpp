@@ -35,9 +35,7 @@ void read_json(Builder& builder, const std::string& text) {
 
 Layout read_layout(const std::string& text, const std::string& name,
                    const std::filesystem::path& folder, const Rational& angle_error) {
-  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-  std::string_view content = text;
-  if (content.starts_with(byte_order_mark)) content.remove_prefix(byte_order_mark.size());
+  const std::string_view content = without_byte_order_mark(text);
   const InputText input{name, content};
   Builder builder(input, folder, angle_error);
   const std::size_t first = content.find_first_not_of(blanks);

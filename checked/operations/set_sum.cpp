@@ -5,7 +5,6 @@
 #include <boost/pending/disjoint_sets.hpp>
 #include <map>
 #include <memory>
-#include <numeric>
 #include <utility>
 
 #include "checked/collision/collision_test.hpp"

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "checked/operations/unbounded_sum.hpp"
 
-#include <utility>
-
 #include "checked/operations/set_sum.hpp"
 #include "reference/chains/frame.hpp"
 #include "reference/definitions/mutant.hpp"

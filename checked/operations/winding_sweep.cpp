@@ -2,7 +2,6 @@
 #include "checked/operations/winding_sweep.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "reference/chains/plane_sweep.hpp"

@@ -2,7 +2,6 @@
 #include "checked/pieces/triangulation.hpp"
 
 #include <cmath>
-#include <iterator>
 #include <map>
 
 #include "reference/definitions/mutant.hpp"

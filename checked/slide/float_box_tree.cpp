@@ -2,11 +2,9 @@
 #include "checked/slide/float_box_tree.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <optional>
 #include <span>
 #include <utility>
 

@@ -12,6 +12,7 @@
 #include "reference/chains/validity.hpp"
 #include "reference/definitions/planar_set.hpp"
 #include "reference/definitions/region.hpp"
+#include "reference/io/input_text.hpp"
 #include "reference/io/placed_geometry.hpp"
 #include "reference/io/reading.hpp"
 #include "reference/io/writing.hpp"
@@ -37,7 +38,7 @@ void require_good_refusal(const InvalidInput& refused, std::string_view text) {
           "a refusal that does not start with its place: " + what);
   require(what.find("; expected ") != std::string::npos,
           "a refusal that does not say what was expected: " + what);
-  const std::string_view unmarked = text.substr(text.starts_with("\xEF\xBB\xBF") ? 3 : 0);
+  const std::string_view unmarked = without_byte_order_mark(text);
   // Bytes of WKB are one line, whatever they are.
   const bool is_text = !starts_as_wkb(unmarked) || unmarked[0] > 1;
   const auto lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')) + 1;

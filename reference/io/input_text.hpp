@@ -49,6 +49,11 @@ struct InputText {
   }
 };
 
+/// What follows a byte order mark, or all of the text.
+inline std::string_view without_byte_order_mark(std::string_view text) {
+  return text.substr(text.starts_with("\xEF\xBB\xBF") ? 3 : 0);
+}
+
 inline constexpr std::string_view blanks = " \t\n\r\v\f";
 
 inline bool is_blank(char c) { return c == ' ' || ('\t' <= c && c <= '\r'); }

@@ -77,8 +77,7 @@ PlacedGeometry parse(const InputText& input, Wanted wanted, Overlaps overlaps) {
 
 Parsed parsed(std::string_view text, const std::string& name, Wanted wanted, Overlaps overlaps,
               const ReadingProgress& progress, std::optional<Format> format = std::nullopt) {
-  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-  if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
+  text = without_byte_order_mark(text);
   const InputText input{name, text, progress};
   if (!format && starts_as_wkb(text)) format = Format::wkb;
   if (format != Format::wkb) refuse_binary(input);

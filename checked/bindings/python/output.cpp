@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "checked/bindings/python/output.hpp"
 
-#include <utility>
-
 #include "checked/bindings/python/numbers.hpp"
 
 namespace oplus::python {

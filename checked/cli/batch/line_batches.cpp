@@ -10,7 +10,7 @@
 #include <cerrno>
 #include <cstring>
 
-#include "reference/io/invalid_input.hpp"
+#include "reference/io/input_text.hpp"
 
 namespace oplus {
 
@@ -56,10 +56,10 @@ bool LineBatches::read_more(const std::function<bool()>& is_stopping) {
                        "lines of text");
   buffer_.resize(size + static_cast<std::size_t>(count));
   if (count == 0) is_at_end_ = true;
-  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-  if (is_at_start_ && (is_at_end_ || buffer_.size() >= byte_order_mark.size())) {
+  if (constexpr std::size_t bytes_of_a_mark = 3;
+      is_at_start_ && (is_at_end_ || buffer_.size() >= bytes_of_a_mark)) {
     is_at_start_ = false;
-    if (buffer_.starts_with(byte_order_mark)) buffer_.erase(0, byte_order_mark.size());
+    buffer_.erase(0, buffer_.size() - without_byte_order_mark(buffer_).size());
   }
   return true;
 }

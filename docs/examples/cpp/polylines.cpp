@@ -2,8 +2,6 @@
 // A tool on a path, and a robot between walls that are lines.
 #include <iostream>
 #include <oplus/oplus.hpp>
-#include <string>
-#include <vector>
 
 int main(int argc, char** argv) {
   auto tool = oplus::polygon({{0, 0}, {2, 0}, {2, 1}, {0, 1}});

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <sstream>
 
 #include "properties/compare/counterexample_files.hpp"

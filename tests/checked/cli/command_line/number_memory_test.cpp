@@ -9,7 +9,6 @@
 #include <cstring>
 #include <set>
 #include <thread>
-#include <utility>
 #include <vector>
 
 namespace oplus {
