@@ -60,7 +60,7 @@ add_test(NAME page.core
          COMMAND node ${CMAKE_CURRENT_SOURCE_DIR}/checked/bindings/page/core_test.mjs ${page} $<TARGET_FILE:oplus>
                  ${CMAKE_CURRENT_SOURCE_DIR}/corpus/pairs.txt ${cases})
 # axe-core judges what screen readers and keyboards find.
-add_test(NAME page.axe-core COMMAND npm install --silent --no-audit --no-fund --prefix ${page}-tools axe-core@4.14.1)
+add_test(NAME page.axe-core COMMAND npm install --loglevel=error --no-audit --no-fund --prefix ${page}-tools axe-core@4.14.1)
 set_tests_properties(page.axe-core PROPERTIES FIXTURES_SETUP axe-core)
 set(of_page axe gallery loading operations page proofs sliding taking)
 foreach(test ${of_page})

@@ -14,7 +14,7 @@ packages_of_tests=(clang libclang-rt-14-dev git clang-format make time libgtest-
                    python3-hypothesis python3-matplotlib python3-geopandas python3-tqdm mypy)
 # More for tests/run --everything.
 packages_of_everything=(gnuplot-nox
-                        mmdebstrap debhelper dh-python lintian ruby doxygen python3-sphinx python3-breathe
+                        build-essential mmdebstrap debhelper dh-python lintian ruby doxygen python3-sphinx python3-breathe
                         python3-myst-parser furo nodejs python3-pip python3-skbuild python3-venv
                         python3-nbclient python3-ipykernel
                         emscripten js-of-ocaml chromium chromium-driver python3-selenium
@@ -50,15 +50,25 @@ install_missing_packages() {
     "${as_root[@]}" install --yes --no-install-recommends "${missing[@]}" </dev/null >/dev/null
 }
 
-# unpack_source PACKAGE FOLDER: what Debian's package is made from, into FOLDER/source. By apt, which checks signatures;
-# from where this machine has its packages, with lists of its own, since most machines list no sources.
+# line_of_sources TYPE [SUITE]: the line of apt's sources.list, with deb or deb-src, for a suite of Debian, by default this
+# system's; from where this machine has its packages. A file of sources has one of two forms, and apt reads both.
+line_of_sources() {
+  local own address
+  own=$(. /etc/os-release && echo "${VERSION_CODENAME-}")
+  address=$(apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' "Release: $own" 'Component: main' | head -n 1)
+  [ -n "$address" ] || { echo "apt has no packages of Debian $own" >&2; return 1; }
+  echo "$1 [signed-by=/usr/share/keyrings/debian-archive-keyring.gpg] $address ${2-$own} main"
+}
+
+# unpack_source PACKAGE FOLDER: what Debian's package is made from, into FOLDER/source. By apt, which checks signatures,
+# with lists of its own, since most machines list no sources.
 unpack_source() (
   mkdir -p "$2"/{apt/lists/partial,apt/cache/archives/partial,source}
   cd "$2"
-  sed 's/^Types: deb$/Types: deb-src/' /etc/apt/sources.list.d/debian.sources >debian.sources
-  apt=(apt-get -qq -o Dir::Etc::sourcelist="$2/debian.sources" -o Dir::Etc::sourceparts=-
+  apt=(apt-get -qq -o Dir::Etc::sourcelist="$2/sources.list" -o Dir::Etc::sourceparts=-
        -o Dir::State::lists="$2/apt/lists" -o Dir::Cache="$2/apt/cache"
        -o APT::Sandbox::User="$(id -un)")
+  line_of_sources deb-src >sources.list
   "${apt[@]}" update
   "${apt[@]}" source --download-only "$1"
   tar xf "$1"_*.orig.tar.?z -C source --strip-components=1
