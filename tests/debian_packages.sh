@@ -9,7 +9,7 @@ packages=(g++ cmake ninja-build ccache python3
           help2man)  # manual pages
 # More for tests/run.
 packages_of_tests=(clang libclang-rt-14-dev git clang-format make time libgtest-dev libbenchmark-dev
-                   jq parallel z3 cvc5 python3-yaml
+                   jq parallel zsh fish z3 cvc5 python3-yaml
                    pybind11-dev python3-dev python3-numpy python3-shapely python3-pytest
                    python3-hypothesis python3-matplotlib python3-geopandas python3-tqdm mypy)
 # More for tests/run --everything.
