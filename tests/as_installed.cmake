@@ -195,10 +195,12 @@ add_test(NAME packages.wheel
          COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/checked/install/install_wheel ${PROJECT_BINARY_DIR} ${PROJECT_VERSION})
 set_tests_properties(packages.wheel PROPERTIES TIMEOUT 1200 COST 600)
 
-# Other compilers, libraries and systems, one after another; platforms/run has more, which take hours.
+# Other compilers, libraries and systems, one after another from the start, beside the other tests; platforms/run has more,
+# which take hours.
 foreach(row newest windows "--core aarch64" "--core gcc-14-c++23" "--core clang-16-libc++" "--core clang-19-libc++-c++23")
   separate_arguments(row)
   list(GET row -1 name)
   add_test(NAME platforms.${name} COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/platforms/run ${row})
-  set_tests_properties(platforms.${name} PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 7200 RESOURCE_LOCK platforms)
+  set_tests_properties(platforms.${name} PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 7200 COST 2000
+                       RESOURCE_LOCK platforms)
 endforeach()
