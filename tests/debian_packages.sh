@@ -14,7 +14,7 @@ packages_of_tests=(clang libclang-rt-14-dev git clang-format make time libgtest-
                    python3-hypothesis python3-matplotlib python3-geopandas python3-tqdm mypy)
 # More for tests/run --everything.
 packages_of_everything=(gnuplot-nox
-                        build-essential mmdebstrap debhelper dh-python lintian ruby doxygen python3-sphinx python3-breathe
+                        build-essential pkgconf mmdebstrap debhelper dh-python lintian ruby doxygen python3-sphinx python3-breathe
                         python3-myst-parser furo nodejs python3-pip python3-skbuild python3-venv
                         python3-nbclient python3-ipykernel
                         emscripten js-of-ocaml chromium chromium-driver python3-selenium
