@@ -95,8 +95,8 @@ void add_low_dimensional_features(const ConvolutionArrangement& arrangement, con
     const Point x = arrangement.point(v);
     if (!interiors_meet_at(x)) boundary.isolated_vertices.push_back(x);
   }
-  for (Point& x :
-       isolated_touching_points(p, q, interiors_meet_at, sum_within(arrangement, boundary)))
+  const auto found = [&] { return sum_within(arrangement, boundary); };
+  for (Point& x : isolated_touching_points(p, q, interiors_meet_at, found))
     boundary.isolated_vertices.push_back(std::move(x));
 }
 

@@ -9,7 +9,7 @@ namespace oplus {
 
 std::vector<Point> isolated_touching_points(
     const Region& p, const Region& q, const std::function<bool(const Point&)>& interiors_meet_at,
-    const PlanarSet& found) {
+    const std::function<PlanarSet()>& found) {
   const std::vector<Point> of_p = touching_points(p);
   const std::vector<Point> of_q = of_p.empty() ? of_p : touching_points(q);
   std::vector<Point> sums;
@@ -20,11 +20,12 @@ std::vector<Point> isolated_touching_points(
   for (const Point& a : of_p)
     for (const Point& b : of_q) sums.push_back(a + b);
   sums = sorted_without_copies(std::move(sums));
+  std::erase_if(sums, interiors_meet_at);
+  if (sums.empty()) return sums;
   // A sum of points of both is in the closure of the open sum: so, if it is not in the open sum, it is
   // on an edge of its boundary or isolated.
-  const std::vector<Segment> boundary = edges(found);
-  std::erase_if(sums,
-                [&](const Point& x) { return interiors_meet_at(x) || lies_on_one(x, boundary); });
+  const std::vector<Segment> boundary = edges(found());
+  std::erase_if(sums, [&](const Point& x) { return lies_on_one(x, boundary); });
   return sums;
 }
 
