@@ -49,9 +49,11 @@ struct InputText {
   }
 };
 
+inline constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+
 /// What follows a byte order mark, or all of the text.
 inline std::string_view without_byte_order_mark(std::string_view text) {
-  return text.substr(text.starts_with("\xEF\xBB\xBF") ? 3 : 0);
+  return text.substr(text.starts_with(byte_order_mark) ? byte_order_mark.size() : 0);
 }
 
 inline constexpr std::string_view blanks = " \t\n\r\v\f";

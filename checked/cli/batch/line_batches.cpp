@@ -56,8 +56,7 @@ bool LineBatches::read_more(const std::function<bool()>& is_stopping) {
                        "lines of text");
   buffer_.resize(size + static_cast<std::size_t>(count));
   if (count == 0) is_at_end_ = true;
-  if (constexpr std::size_t bytes_of_a_mark = 3;
-      is_at_start_ && (is_at_end_ || buffer_.size() >= bytes_of_a_mark)) {
+  if (is_at_start_ && (is_at_end_ || buffer_.size() >= byte_order_mark.size())) {
     is_at_start_ = false;
     buffer_.erase(0, buffer_.size() - without_byte_order_mark(buffer_).size());
   }
