@@ -57,13 +57,17 @@ export function moved(point, {how, at}, step) {
   return how === "by" ? addPoints(point, steps) : steps;
 }
 
+// Without `with` and `toSpliced`, which Debian's Node does not have.
+const replaced = (list, at, value) => list.map((old, i) => i === at ? value : old);
+const removed = (list, at) => list.filter((_, i) => i !== at);
+
 /** Removes a vertex; of a hole with three, the hole, and likewise lines and points where other chains stay. */
 function without(chains, chain, vertex) {
   const {kind, vertices} = chains[chain], fewest = {outer: 3, hole: 3, line: 2, point: 1}[kind];
-  if (vertices.length > fewest) return chains.with(chain, {kind, vertices: vertices.toSpliced(vertex, 1)});
+  if (vertices.length > fewest) return replaced(chains, chain, {kind, vertices: removed(vertices, vertex)});
   if (kind === "outer") throw new RangeError("an outer chain of three vertices cannot lose one; expected more vertices");
   if (chains.length === 1) throw new RangeError(`the only ${kind} cannot be removed; expected another chain`);
-  return chains.toSpliced(chain, 1);
+  return removed(chains, chain);
 }
 
 /** Adds a vertex in the middle of the edge that follows; at the end of a line, one further on. */
@@ -72,7 +76,7 @@ function withOneMore({kind, vertices}, vertex) {
   const here = vertices[vertex], isEnd = kind === "line" && vertex === vertices.length - 1;
   const added = isEnd ? addPoints(here, addPoints(here, vertices[vertex - 1].map(negative)))
     : middle(here, vertices[(vertex + 1) % vertices.length]);
-  return {kind, vertices: vertices.toSpliced(vertex + 1, 0, added)};
+  return {kind, vertices: [...vertices.slice(0, vertex + 1), added, ...vertices.slice(vertex + 1)]};
 }
 
 /** What an edit of the page makes of chains. */
@@ -82,6 +86,6 @@ export function edited(chains, {chain, vertex, ...edit}, step) {
   if (!one?.vertices[vertex]) throw new RangeError("the edit names a vertex that is not there; expected one that is");
   if (edit.how === "remove") return without(chains, chain, vertex);
   const changed = edit.how === "add" ? withOneMore(one, vertex)
-    : {...one, vertices: one.vertices.with(vertex, moved(one.vertices[vertex], edit, step))};
-  return chains.with(chain, changed);
+    : {...one, vertices: replaced(one.vertices, vertex, moved(one.vertices[vertex], edit, step))};
+  return replaced(chains, chain, changed);
 }
