@@ -60,6 +60,15 @@ line_of_sources() {
   echo "$1 [signed-by=/usr/share/keyrings/debian-archive-keyring.gpg] $address ${2-$own} main"
 }
 
+# make_system SUITE FOLDER [OPTION...]: a system of Debian of its own, by mmdebstrap, as root. apt gets a file descriptor in it
+# that a shell must name with one digit, so what is open here is closed there: GNU time, for one, leaves its output open.
+make_system() {
+  local sources
+  sources=$(line_of_sources deb "$1") || return
+  mmdebstrap --mode=root --variant=apt --dpkgopt=force-unsafe-io --aptopt='Acquire::Languages "none"' "${@:3}" \
+    "$1" "$2" "$sources" 3>&- 4>&- 5>&- 6>&- 7>&- 8>&- 9>&-
+}
+
 # unpack_source PACKAGE FOLDER: what Debian's package is made from, into FOLDER/source. By apt, which checks signatures,
 # with lists of its own, since most machines list no sources.
 unpack_source() (
