@@ -55,7 +55,7 @@ install_missing_packages() {
 line_of_sources() {
   local own address
   own=$(. /etc/os-release && echo "${VERSION_CODENAME-}")
-  address=$(apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' "Release: $own" 'Component: main' | head -n 1)
+  address=$(apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' "Release: $own" 'Component: main' | sed -n 1p)
   [ -n "$address" ] || { echo "apt has no packages of Debian $own" >&2; return 1; }
   echo "$1 [signed-by=/usr/share/keyrings/debian-archive-keyring.gpg] $address ${2-$own} main"
 }
