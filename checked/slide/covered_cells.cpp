@@ -34,7 +34,7 @@ CoveredCells::CoveredCells(std::span<const NearSegment> p, std::span<const NearS
                            double radius, double error)
     : radius_(radius), cell_(2 * radius / count), error_(error) {
   constexpr std::size_t most_pairs = std::size_t{1} << 20;
-  if (!(cell_ > 8 * error && cell_ < 0x1p900) || p.size() * q.size() > most_pairs) return;
+  if (!(cell_ > 8 * error) || p.size() * q.size() > most_pairs) return;
   for (const NearSegment& e : p)
     for (const NearSegment& f : q)
       if (std::abs(e.dy) + std::abs(f.dy) > cell_ && std::abs(e.dx) + std::abs(f.dx) > cell_) {

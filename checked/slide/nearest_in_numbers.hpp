@@ -47,7 +47,10 @@ std::vector<Segment> nearest_in(const Region& p, const Region& q, const Scaling&
   const RaysOfBoth<Numbers> rays = rays_of(segments.summands());
   const bool all_ways = !right_is_enough(rays);
   const NearEdges of_p(p), of_q(q);
-  const double error = (of_p.largest() + of_q.largest()) * 0x1p-30;
+  // More than how far a sum is off; beyond the sizes of which doubles have the squares, they tell nothing.
+  const double largest = of_p.largest() + of_q.largest();
+  const bool has_squares = largest > 0x1p-400 && largest < 0x1p400;
+  const double error = has_squares ? largest * 0x1p-30 : std::numeric_limits<double>::infinity();
   const auto near = [&](std::uint32_t i) -> NearSegment {
     const auto [edge_p, edge_q] = segments[i].contact[1];
     const NearSegment &a = of_p[edge_p], &b = of_q[edge_q];
@@ -64,7 +67,7 @@ std::vector<Segment> nearest_in(const Region& p, const Region& q, const Scaling&
   double most = std::min({-(of_p.low_x + of_q.low_x), of_p.high_x + of_q.high_x,
                           -(of_p.low_y + of_q.low_y), of_p.high_y + of_q.high_y}) +
                 error;
-  if (!(most < std::numeric_limits<double>::max())) most = std::numeric_limits<double>::infinity();
+  if (!has_squares) most = error;
   struct Next {
     double least;
     std::uint32_t segment;
@@ -82,7 +85,7 @@ std::vector<Segment> nearest_in(const Region& p, const Region& q, const Scaling&
   std::vector<FreePiece<Numbers>> found;
   constexpr std::size_t tried_first = 8;
   for (std::size_t k = 0; k < order.size() && order[k].least <= most; ++k) {
-    if (k == tried_first) {
+    if (k == tried_first && has_squares) {
       const double radius =
           std::min(most * (1 + 0x1p-20) + error, 2 * order[(k + order.size()) / 2].least + error);
       const CoveredCells cells(of_p.all(), of_q.all(), radius, error);

@@ -25,7 +25,6 @@ std::vector<Vector> places(const Region& p, const Region& q) {
 
 Outcome check(const Summands& summands) {
   Outcome outcome;
-  const Rational large(mpz_class(1) << 70, 7);
   for (std::size_t kind = 0; kind < 3; ++kind) {
     const auto [how, pair] = fitting_pair(summands, kind);
     const PlanarSet all = no_fit(pair.p, pair.q, by_slide);
@@ -38,13 +37,18 @@ Outcome check(const Summands& summands) {
       if (near->squared_depth != general.from(x).squared_depth)
         return outcome.fail(how + ": another depth than by all of the no-fit polygon", x);
     }
-    // The same in large numbers, once.
-    const auto times = [&](const Point& x) { return Point{large * x.x, large * x.y}; };
-    const std::optional<Overlap> one = depth(pair.p, pair.q),
-                                 other = depth(mapped(pair.p, times), mapped(pair.q, times));
-    if (one.has_value() != other.has_value() ||
-        (one && large * large * one->squared_depth != other->squared_depth))
-      return outcome.fail(how + ": another depth in large numbers");
+    // The same in large numbers, and in those that doubles, or their squares, are too small or too large for.
+    const std::optional<Overlap> one = depth(pair.p, pair.q);
+    for (const int power : {-1100, -533, 70, 512, 1100}) {
+      const mpz_class large = mpz_class(1) << std::abs(power);
+      const Rational times = power < 0 ? Rational(1, large) : Rational(large, 7);
+      const auto map = [&](const Point& x) { return Point{times * x.x, times * x.y}; };
+      const std::optional<Overlap> other = depth(mapped(pair.p, map), mapped(pair.q, map));
+      if (one.has_value() != other.has_value() ||
+          (one && times * times * one->squared_depth != other->squared_depth))
+        return outcome.fail(how + ": another depth in coordinates times 2^" +
+                            std::to_string(power));
+    }
   }
   return outcome;
 }
