@@ -47,7 +47,7 @@ std::vector<Segment> nearest_in(const Region& p, const Region& q, const Scaling&
   const RaysOfBoth<Numbers> rays = rays_of(segments.summands());
   const bool all_ways = !right_is_enough(rays);
   const NearEdges of_p(p), of_q(q);
-  // More than how far a sum is off; beyond the sizes of which doubles have the squares, they tell nothing.
+  // A sum is off by less; where squares are too small or too large for doubles, nothing is known of it.
   const double largest = of_p.largest() + of_q.largest();
   const bool has_squares = largest > 0x1p-400 && largest < 0x1p400;
   const double error = has_squares ? largest * 0x1p-30 : std::numeric_limits<double>::infinity();

@@ -37,16 +37,16 @@ Outcome check(const Summands& summands) {
       if (near->squared_depth != general.from(x).squared_depth)
         return outcome.fail(how + ": another depth than by all of the no-fit polygon", x);
     }
-    // The same in large numbers, and in those that doubles, or their squares, are too small or too large for.
+    // The same in large numbers, and where these or their squares are too small or too large for doubles.
     const std::optional<Overlap> one = depth(pair.p, pair.q);
-    for (const int power : {-1100, -533, 70, 512, 1100}) {
+    for (const int power : {-1100, -538, 70, 512, 1100}) {
       const mpz_class large = mpz_class(1) << std::abs(power);
       const Rational times = power < 0 ? Rational(1, large) : Rational(large, 7);
       const auto map = [&](const Point& x) { return Point{times * x.x, times * x.y}; };
       const std::optional<Overlap> other = depth(mapped(pair.p, map), mapped(pair.q, map));
       if (one.has_value() != other.has_value() ||
           (one && times * times * one->squared_depth != other->squared_depth))
-        return outcome.fail(how + ": another depth in coordinates times 2^" +
+        return outcome.fail(how + ": another depth in coordinates of the order of 2^" +
                             std::to_string(power));
     }
   }
